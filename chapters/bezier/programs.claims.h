@@ -188,7 +188,7 @@ step is already rounded, unless npoints is a power of 2, and so is each sum.
 :::{statement} slides-ch4:4-program-division
 :title: The parameter is divided into npoints equal parts
 :zh: 将参数 t 作 npoints 等分
-:printed: $delt=1/npoints$, $t=0$, and npoints times $t=t+delt$: the parameter is divided into npoints equal parts
+:printed: $delt=1/npoints$, the parameter $t$ is divided into npoints equal parts; $t=0$, and after each point $t=t+delt$
 :holds-by: equal_steps_reach_every_part
 :confirmed-by: program_ends_at_one_in_exact_arithmetic sum_of_steps_is_seldom_one
 :hypothesis: sum_of_steps_misses_one | the arithmetic is exact: in binary64 the last parameter need not be 1
@@ -196,23 +196,24 @@ step is already rounded, unless npoints is a power of 2, and so is each sum.
 :figure: last_parameter
 :striking: 46
 
-In binary64 other numbers of steps miss 1, too: `sum_of_steps_is_seldom_one`.
+The last point has the parameter after npoints steps; the step behind it is not used.  In binary64 other numbers of steps miss 1, too:
+`sum_of_steps_is_seldom_one`.
 :::
 
 :::{statement} slides-ch4:4-program-all-points
 :title: The points one after the other
 :zh: 分别求出 npoints+1 个离散点
 :printed: for i = 0, ..., npoints the point number i is the value of decas at $t$: npoints+1 points of the curve are found one after the other
-:holds-by: program_ends_at_one_in_exact_arithmetic
-:argued: every degree and every npoints | The parameter of the next point is $\frac iN+\frac1N=\frac{i+1}N$, and the point is found by a call
-  that knows nothing of the others, in which each pass of the outer loop is one level of the recursion.
+:holds-by: program_ends_at_one_in_exact_arithmetic equal_steps_reach_every_part
+:argued: every degree and every npoints | Point number $i$ has the parameter $\frac iN$, $N$ being npoints, and is found by a call of decas that knows nothing of the
+  others, and computes the point for every degree, as in `slides-ch4:4-program-decas`.
 :confirmed-by: corrected_program_ends_at_the_last_point program_computes_the_curve
 :hypothesis: last_point_of_the_example_is_missed | the arithmetic is exact: in binary64 the last of them need not be the end of
   the curve
 :hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
 :figure: last_parameter
 
-With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the first and the last point of a curve are exact in binary64, too, for up to 24 steps:
+With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the first and the last point are exact in binary64, too, for one cubic and up to 24 steps:
 `corrected_program_ends_at_the_last_point`.
 :::
 */
@@ -421,7 +422,7 @@ CLAIM(program_writes_one_point_too_many)
 :zh: 数组 R、Q 的大小
 :printed: R = new double[n+1], Q = new double[n+1]
 :holds-by: program_stays_in_its_arrays
-:argued: every n and every number of steps | R[i+1] and Q[i] are used for $i<m\le n$ only, so that no index is greater than $n$; and the calls know nothing of one another.
+:argued: every n and every number of steps | R[i] is filled for $i\le n$, and R[i+1] and Q[i] are used for $i<m\le n$ only, so that no index is greater than $n$; and the calls know nothing of one another.
 :::
 
 :::{statement} slides-ch4:4-program-delete

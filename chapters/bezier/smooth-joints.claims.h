@@ -58,8 +58,8 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio equal_unit_tangents_fix_the_ratio
 :needs: negative_ratio_turns_back | the line of the condition: $a>0$ | $a>0$
-:hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$: for it to suffice, and with $Q_0\ne Q_1$ for it to be necessary
-:hypothesis: straight_joint_with_a_zero_edge | $Q_0\ne Q_1$: with $P_2\ne P_3$, for it to be necessary
+:hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$ and $Q_0\ne Q_1$: with two edges of length 0 the condition does not suffice
+:hypothesis: straight_joint_with_a_zero_edge | $P_2\ne P_3$ and $Q_0\ne Q_1$: with one edge of length 0 the condition is not necessary
 :figure: corner_without_edges
 :degree: 3
 :::
@@ -274,7 +274,7 @@ CLAIM(second_derivative_of_a_cubic)
 
 /*
 Now the second derivative.  Its equality is a condition on three points of each polygon.  One should ask what it is good for
-when the first derivatives are only proportional, which is the case just treated.  With $Q'=aP'$, $Q''=P''$ and $a\ne1$ the joint is not
+when the first derivatives are only proportional, which is the case just treated.  With $Q'=aP'\ne0$, $Q''=P''$ and $a\ne1$ the joint is not
 $C^2$, and the curvature jumps as well, unless it is 0.
 
 :::{statement} slides-ch4:4-joint-c2

@@ -39,22 +39,22 @@ sections of their own.
 :::{claim} rotation_matrix_adds_the_angle
 :title: The row of the point times the matrix is the point of the sum of the angles
 :zh: 旋转矩阵使角度相加
-:given: any $r$, and two angles with the tangents $a$ and $b$ of their halves, $ab\ne1$
-:harmless: $ab\ne1$ | with $ab=1$ the sum of the angles is $\pi$, and its half has no tangent: the sines and cosines of the sum,
-  which the claim compares, are rational functions without that divisor
+:given: any $r$, and two angles by the directions $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ of their halves, so that
+  $\cos\theta=\frac{a_0^2-a_1^2}{a_0^2+a_1^2}$ and $\sin\theta=\frac{2a_0a_1}{a_0^2+a_1^2}$, likewise those of $\Delta\theta$
+:harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
 :then: $r(\cos\theta,\sin\theta)$ times the printed matrix of $\Delta\theta$ is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
-:method: The sum of the angles is formed on the other side, from the tangent $\frac{a+b}{1-ab}$ of half of it; $a$, $b$ and $r$
+:method: The sum of the angles is formed on the other side, from the direction $(a_0b_0-a_1b_1,\,a_0b_1+a_1b_0)$ of half of it; the five numbers
   are variables.
-:over: a b: angle but π; r: radius
-:control: the angle with the tangent $\frac{a-b}{1+ab}$
+:over: a# b#: angles; r: radius
+:control: the difference of the angles
 :::
 */
 CLAIM(rotation_matrix_adds_the_angle)
 {
-    num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0), M[4], next[2];
-    struct G(turn) theta = G(turn_by)(a), sum = G(turn_by)(G(half_of_sum)(a, fault(T, b, neg(b))));
-    num P[2] = {mul(r, theta.cos), mul(r, theta.sin)};
-    G(rotation)(G(turn_by)(b), M);
+    struct G(half) a = G(free_half)(T, "a"), b = G(free_half)(T, "b"), used = {b.p, fault(T, b.q, neg(b.q))};
+    struct G(turn) theta = G(turn_of)(a), sum = G(turn_of)(G(sum_of)(a, used));
+    num r = positive(T, "r", 0), M[4], next[2], P[2] = {mul(r, theta.cos), mul(r, theta.sin)};
+    G(rotation)(G(turn_of)(b), M);
     G(row_times)(P, M, next);
     same(T, next[0], mul(r, sum.cos));
     same(T, next[1], mul(r, sum.sin));
@@ -71,7 +71,7 @@ apart; neither depends on where the point began.
 :printed: By this method a sequence of points on the circle can be computed that are distributed at equal angles.
 :holds-by: rotated_points_are_equally_spaced
 :confirmed-by: rotation_matrix_adds_the_angle
-:needs: centre_is_never_turned | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
+:needs: centre_is_never_turned | the words above (1-3-1), a point of the circle of radius $r$ | $P_0\ne(0,0)$
 :needs: angle_zero_turns_no_point | the words before it, an angle of suitable size (适当大小的 $\Delta\theta$) | $\Delta\theta\ne0$
 :figure: three_generators
 :::
@@ -135,20 +135,21 @@ CLAIM(angle_zero_turns_no_point) { refute_that_a_turn_moves(T); }
 :::{claim} rotated_points_are_equally_spaced
 :title: All points are on the circle, at equal angles and distances
 :zh: 点列在圆上,夹角与间距相等
-:given: any point $P_n$, any angle with the tangent $a$ of its half
+:given: any point $P_n$, any angle, by the direction $(a_0,a_1)\ne(0,0)$ of its half
+:harmless: $(a_0,a_1)\ne(0,0)$ | so is the half of every angle
 :then: $x_{n+1}^2+y_{n+1}^2=x_n^2+y_n^2$, $P_n\cdot P_{n+1}=\cos\Delta\theta\,|P_n|^2$, $P_n\times P_{n+1}=\sin\Delta\theta\,|P_n|^2$ and
   $|P_{n+1}-P_n|^2=2(1-\cos\Delta\theta)\,|P_n|^2$; so all points are on one circle, each is turned by $\Delta\theta$ from the one before, and all
   distances are equal
-:method: One step, point and $a$ variables.  By induction every radius is $|P_0|$, and with it every distance is the same.
+:method: One step, the point, $a_0$ and $a_1$ variables.  By induction every radius is $|P_0|$, and with it every distance is the same.
 :scope: every number of steps
-:over: x y: point; a: angle but π
+:over: x y: point; a#: angles
 :control: $\cos\Delta\theta$ replaced by 1
 :::
 */
 CLAIM(rotated_points_are_equally_spaced)
 {
     num M[4], P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]};
-    struct G(turn) angle = G(turn_by)(parameter(T, "a")), used = angle;
+    struct G(turn) angle = G(turn_of)(G(free_half)(T, "a")), used = angle;
     used.cos = fault(T, used.cos, from_int(1));
     G(rotation)(used, M);
     G(steps)(1, M, Q);
@@ -425,8 +426,8 @@ a geometric progression.
 :zh: 简化算法所得的圆不封闭
 :printed: The circle that this algorithm produces is not closed.
 :holds-by: small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
-:needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
-:needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
+:needs: small_step_of_zero_stays | the line above (1-3-4), $\Delta\theta=\varepsilon=2^{-m}$ | $\varepsilon\ne0$
+:needs: centre_is_never_left | the words above (1-3-1), a point of the circle of radius $r$ | $P_0\ne(0,0)$
 :figure: three_generators
 :::
 
@@ -436,8 +437,8 @@ a geometric progression.
 :printed: The radius of the circle has the tendency to increase continually.
 :holds-by: small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
 :confirmed-by: turn_of_small_steps_gains_a_fifth
-:needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
-:needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
+:needs: small_step_of_zero_stays | the line above (1-3-4), $\Delta\theta=\varepsilon=2^{-m}$ | $\varepsilon\ne0$
+:needs: centre_is_never_left | the words above (1-3-1), a point of the circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
 
 It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  With $\varepsilon=\frac1{16}$ a turn takes about a hundred steps, and the
@@ -469,20 +470,21 @@ CLAIM(small_steps_multiply_the_radius)
 :::{claim} radius_of_small_steps_exceeds_every_bound
 :title: The points never come back, and leave every circle
 :zh: 点列不返回且无界
-:given: $\varepsilon>0$, any $n$, and $E_n=(1+\varepsilon^2)^n-1-n\varepsilon^2$
-:then: $E_{n+1}=(1+\varepsilon^2)E_n+n\varepsilon^4$; so with $E_0=0$ no $E_n$ is negative, the radius is larger after every
-  step and exceeds every bound
-:method: One step, with $E_n$, $n$ and $\varepsilon$ variables; what comes out has no negative coefficient.  The rest is
+:given: $\varepsilon\ne0$, any $n$, and $E_n=(1+\varepsilon^2)^n-1-n\varepsilon^2$
+:where: $\varepsilon\ne0$
+:then: $E_{n+1}=(1+\varepsilon^2)E_n+n\varepsilon^4$; so with $E_0=0$ no $E_n$ is negative, and $(1+\varepsilon^2)^n\ge1+n\varepsilon^2$, by which $n$
+  steps multiply the square of a radius, grows with $n$ and exceeds every bound
+:method: One step, with $E_n$, $n$ and $\varepsilon^2>0$ variables; what comes out has no negative coefficient.  The rest is
   induction.
-:scope: every number of steps; ε > 0
+:scope: every number of steps
 :over: e E n: -
 :control: $n+2$ in the place of $n+1$ in the product $(n+1)\varepsilon^2$
 :::
 */
 CLAIM(radius_of_small_steps_exceeds_every_bound)
 {
-    num epsilon = positive(T, "e", 0), excess = positive(T, "E", 0), n = positive(T, "n", 0), one = from_int(1);
-    num square = mul(epsilon, epsilon), whole_power = add(excess, add(one, mul(n, square))); /* (1 + ε²)^n */
+    num square = positive(T, "e", 0), excess = positive(T, "E", 0), n = positive(T, "n", 0), one = from_int(1); /* ε² */
+    num whole_power = add(excess, add(one, mul(n, square))); /* (1 + ε²)^n */
     num least = add(one, mul(add(n, from_int(fault(T, 1, 2))), square));
     num next = sub(mul(whole_power, add(one, square)), least);
     /* E_{n+1} = (1 + ε²) E_n + n ε⁴ */
@@ -573,9 +575,9 @@ CLAIM(centre_is_never_left) { refute_that_a_step_moves(T); }
 :zh: 增量与位置矢量垂直
 :printed: $P_{n+1}$ is $P_n$ plus a small vector perpendicular to the position vector $P_n=[x_n,y_n]$; so the new radius is
   often larger than the one before.
-:holds-by: small_step_adds_a_perpendicular_vector
-:needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
-:needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
+:holds-by: small_step_adds_a_perpendicular_vector small_steps_multiply_the_radius
+:needs: small_step_of_zero_stays | the line above (1-3-4), $\Delta\theta=\varepsilon=2^{-m}$ | $\varepsilon\ne0$
+:needs: centre_is_never_left | the words above (1-3-1), a point of the circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
 
 The new radius is larger after every step: $|P_{n+1}|^2=(1+\varepsilon^2)|P_n|^2$.
@@ -617,8 +619,8 @@ with equal factors make a logarithmic spiral (对数螺线).
 :zh: 所得曲线为螺线
 :printed: The curve obtained is really not an exact arc of a circle, but a spiral.
 :holds-by: small_steps_are_powers_of_a_complex_number small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
-:needs: small_step_of_zero_stays | $\varepsilon=2^{-m}$ is the step that replaces $\Delta\theta$ | $\varepsilon\ne0$
-:needs: centre_is_never_left | the points are on a circle of radius $r$ | $P_0\ne(0,0)$
+:needs: small_step_of_zero_stays | the line above (1-3-4), $\Delta\theta=\varepsilon=2^{-m}$ | $\varepsilon\ne0$
+:needs: centre_is_never_left | the words above (1-3-1), a point of the circle of radius $r$ | $P_0\ne(0,0)$
 :figure: three_generators
 
 It is the logarithmic spiral: every step adds the angle $\arctan\varepsilon$, and multiplies the radius by
@@ -630,8 +632,8 @@ $\sqrt{1+\varepsilon^2}$.  All points are on no circle, about whatever centre, b
 :zh: 点列为复数的幂
 :given: any first point, any $\varepsilon$, any complex number $z=u+iv$; $x_n+iy_n=z\,(x_0+iy_0)$
 :then: $x_{n+1}+iy_{n+1}=(1+i\varepsilon)\,z\,(x_0+iy_0)$; so with $z=(1+i\varepsilon)^n$, from $z=1$ on,
-  $x_n+iy_n=(1+i\varepsilon)^n(x_0+iy_0)$, and the argument grows by $\arctan\varepsilon$, the radius by $|1+i\varepsilon|$,
-  in every step
+  $x_n+iy_n=(1+i\varepsilon)^n(x_0+iy_0)$, and in every step the argument grows by $\arctan\varepsilon$, and the radius is
+  multiplied by $|1+i\varepsilon|$
 :method: One step against the product of complex numbers, everything a variable; then induction.
 :scope: every number of steps
 :over: x y: point; e: ε; u v: -

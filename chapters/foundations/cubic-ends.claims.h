@@ -101,7 +101,7 @@ static void printed_coefficients(const num v[], num c[])
 :given: the cubic $P(t)=\sum_kc_kt^k$ on a line, that is with the coefficients $c$ from $D$ to $A$
 :data: c = 0 1 0 1
 :instead: c = 1 1 0 1
-:then: $P(0)\ne\dot P(0)$: no $\dot Q_0$ is both, and $C\ne P(0)$
+:then: $P(0)\ne P'(0)$: no $\dot Q_0$ is both, and $C\ne P(0)$
 :result: P(0) = 0; P'(0) = 1
 :method: Value and derivative by the kernel.
 :control: a cubic that begins one higher

@@ -468,7 +468,7 @@ and additions; with another step it is not.
 :title: With differences no multiplication is left
 :zh: 差分法不用乘法
 :printed: With differences multiplications are not needed at all, only shifts and additions, so that the curve wanted can be generated at high speed.
-:holds-by: step_costs_additions_only table_costs_shifts_and_additions
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table
 :meant: the words "so that" (从而) | High speed is: without multiplications.
 :needs: other_steps_need_multiplications | $\delta=1/2^m$ a few lines below, with shifts and additions | $\delta=2^{-m}$: so that the
   table (1-4-5) is begun by shifts, and the divided step (1-4-4) takes shifts.  The step (1-4-3) without division has additions only, whatever
@@ -476,6 +476,56 @@ and additions; with another step it is not.
 :figure: stepping_and_rounding
 :::
 */
+
+/* (1-4-5) as shifts and additions: e from c = (D, C, B, A), 3A as 2A + A. */
+#define TABLE_BY_SHIFTS(S)                                                                                             \
+    static void table_by_shifts_##S(const num_##S c[], num_##S delta, num_##S e[])                                     \
+    {                                                                                                                  \
+        num_##S two = from_int_##S(2), three_A = add_##S(mul_##S(two, c[3]), c[3]);                                    \
+        e[0] = c[0];                                                                                                   \
+        e[1] = add_##S(mul_##S(add_##S(mul_##S(c[3], delta), c[2]), delta), c[1]);                                     \
+        e[2] = mul_##S(two, add_##S(mul_##S(three_A, delta), c[2]));                                                   \
+        e[3] = mul_##S(two, three_A);                                                                                  \
+    }
+#if FIELD
+TABLE_BY_SHIFTS(f)
+#endif
+#if RATIONAL
+TABLE_BY_SHIFTS(q)
+TABLE_BY_SHIFTS(c)
+#endif
+#if INTERVAL
+TABLE_BY_SHIFTS(i)
+#endif
+#if DOUBLE
+TABLE_BY_SHIFTS(m)
+#endif
+
+/*
+:::{claim} rows_by_shifts_are_the_table
+:title: The rows that are formed by shifts are the table to begin with, for every step
+:zh: 移位所得各行即初始差分表
+:given: any $A,B,C,D$, one coordinate, any $\delta\ne0$; the rows $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
+:where: $\delta\ne0$
+:then: they are $P_0$, $\frac1\delta\Delta P_0$, $\frac1{\delta^2}\Delta^2P_0$, $\frac1{\delta^3}\Delta^3P_0$
+:method: The table by the kernel, divided by the powers of $\delta$, everything a variable.
+:degrees: 3..3
+:over: c#: coefficients; d: δ
+:control: the coefficients taken backwards
+:::
+*/
+CLAIM(rows_by_shifts_are_the_table)
+{
+    num x[4], used[4], table[4], d[4], delta = positive(T, "d", 0), power = from_int(1);
+    for (int k = 0; k < 4; k++)
+        x[k] = unknown(T, "c", k);
+    for (int k = 0; k < 4; k++)
+        used[k] = x[fault(T, k, 3 - k)];
+    G(table_by_shifts)(used, delta, table);
+    G(power_differences)(3, 1, x, delta, d);
+    for (int k = 0; k < 4; k++, power = mul(power, delta))
+        same(T, table[k], div(d[k], power));
+}
 
 #if RATIONAL
 static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int power_of_two)
@@ -504,6 +554,7 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
 :zh: 每步的加法与移位次数
 :kind: decision
 :given: degree $n$, coordinates $d=1,\dots,D$, $\delta=2^{-m}$
+:where: $\delta=2^{-m}$
 :data: D = 3
 :then: `power_difference_step` costs $nd$ additions and nothing else, `power_scaled_difference_step` $nd$ additions and $nd$ shifts
 :method: The kernels are run in the number type that counts, which knows of a step only that it is a power of two.
@@ -527,51 +578,29 @@ CLAIM(step_costs_additions_only)
 :title: The table of a cubic costs shifts and additions
 :zh: 建立差分表的运算次数
 :kind: decision
-:given: one coordinate, $\delta=2^{-m}$, $m=1,\dots,M$, the rows of (1-4-5) as $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
-:data: M = 16
+:given: one coordinate, $\delta=2^{-m}$, the rows of (1-4-5) as $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
+:where: $\delta=2^{-m}$
+:data: δ = 1/256
 :then: shifts and additions, and no multiplication
 :result: shifts = 6; additions = 4; multiplications = 0
-:method: The rows are formed in the number type that counts, and in rationals for any $A,B,C,D$, where they are the
-  printed ones.
+:method: The rows are formed in the number type that counts, which knows of a step only that it is a power of two, and beside it in rationals for
+  one.  That they are the printed ones for every step is `rows_by_shifts_are_the_table`.
 :degrees: 3..3
-:scope: δ = 2⁻ᵐ, m = 1 to 16
-:control: a step that is no power of two, and the coefficients taken backwards
+:control: a step that is no power of two
 :::
 */
-/* (1-4-5) as shifts and additions: e from c = (D, C, B, A), 3A as 2A + A. */
-#define TABLE_BY_SHIFTS(S)                                                                                             \
-    static void table_by_shifts_##S(const num_##S c[], num_##S delta, num_##S e[])                                     \
-    {                                                                                                                  \
-        num_##S two = from_int_##S(2), three_A = add_##S(mul_##S(two, c[3]), c[3]);                                    \
-        e[0] = c[0];                                                                                                   \
-        e[1] = add_##S(mul_##S(add_##S(mul_##S(c[3], delta), c[2]), delta), c[1]);                                     \
-        e[2] = mul_##S(two, add_##S(mul_##S(three_A, delta), c[2]));                                                   \
-        e[3] = mul_##S(two, three_A);                                                                                  \
-    }
-TABLE_BY_SHIFTS(c)
-TABLE_BY_SHIFTS(q)
-
 CLAIM(table_costs_shifts_and_additions)
 {
     num_c c[4] = {some_number, some_number, some_number, some_number}, e[4], step = {fault(T, 1, 0)};
-    num x[4], d[4], table[4], used[4];
+    num x[4], table[4];
     for (int k = 0; k < 4; k++)
         x[k] = unknown(T, "c", k);
-    for (int k = 0; k < 4; k++)
-        used[k] = x[fault(T, k, 3 - k)];
-    int largest = given_whole(T, "M");
-    for (int m = 1; m <= largest; m++) {
-        num delta = from_ratio(1, 1L << m), power = from_int(1);
-        table_by_shifts_q(used, delta, table);
-        counted = (struct operations){0};
-        table_by_shifts_c(c, step, e);
-        if (!T->faulty)
-            note_cost(4, table, counted);
-        agree(T, counted.multiplications == 0 && counted.divisions == 0);
-        G(power_differences)(3, 1, x, delta, d);
-        for (int k = 0; k < 4; k++, power = mul(power, delta))
-            same(T, table[k], div(d[k], power));
-    }
+    table_by_shifts_q(x, given(T, "δ"), table);
+    counted = (struct operations){0};
+    table_by_shifts_c(c, step, e);
+    if (!T->faulty)
+        note_cost(4, table, counted);
+    agree(T, counted.multiplications == 0 && counted.divisions == 0);
     found_whole(T, "shifts", counted.shifts);
     found_whole(T, "additions", counted.additions);
     found_whole(T, "multiplications", counted.multiplications);

@@ -214,11 +214,13 @@ polynomial and everything can be compared in rational numbers.
 :zh: 拐点的定义
 :definition: yes
 :printed: By the formula of the curvature, where $K=0$ the point is called an inflection.
-:checked-by: curvature_and_torsion_belong_to_arc_length curvature_by_the_vector_product turning_of_a_cubic_is_quadratic merged_inflections_are_a_cusp
+:checked-by: curvature_and_torsion_belong_to_arc_length curvature_by_the_vector_product turning_of_a_cubic_is_quadratic sign_of_delta_tells_the_form
+  merged_inflections_are_a_cusp
 :confirmed-by: fourth_power_has_curvature_zero_on_one_side
 :figure: forms_of_a_cubic
 
-For plane cubics with $A\times B\ne0$ a double zero of the quadratic $\dot P\times\ddot P$ is a cusp.  A curve of higher degree may have $K=0$
+For plane cubics with $A\times B\ne0$ a double zero of the quadratic $\dot P\times\ddot P$, whose discriminant is $12\delta$ by
+`sign_of_delta_tells_the_form`, is a cusp.  A curve of higher degree may have $K=0$
 and stay on one side of its tangent, as $(t,t^4)$ at $t=0$.
 :::
 
@@ -226,7 +228,7 @@ and stay on one side of its tangent, as $(t,t^4)$ at $t=0$.
 :title: At an inflection the second derivative is parallel to the first
 :zh: 拐点处二阶导矢平行于切矢
 :printed: An inflection is a point with $\dot P\times\ddot P=0$; points with $\dot P=0$ not considered, $\ddot P=g\dot P$ with a scalar $g$.
-:holds-by: second_derivative_splits_along_the_first
+:holds-by: curvature_by_the_vector_product second_derivative_splits_along_the_first
 :needs: cusp_has_no_such_factor | the sentence itself, which leaves out the points with $\dot P=0$ | $\dot P\ne0$: where
   $\dot P=0\ne\ddot P$ there is no $g$.
 :figure: forms_of_a_cubic
@@ -428,7 +430,7 @@ CLAIM(graph_of_a_cubic_turns_linearly)
 :printed: So a parametric cubic has at most two inflections.
 :holds-by: turning_of_a_cubic_is_quadratic
 :confirmed-by: each_form_occurs
-:hypothesis: line_has_curvature_zero_everywhere | the cubic is no line.  On a line every point has curvature 0.
+:hypothesis: line_has_curvature_zero_everywhere | the cubic is on no line.  On a line $\dot P\times\ddot P$ is 0 everywhere.
 :figure: forms_of_a_cubic
 
 Two do occur: `each_form_occurs`.

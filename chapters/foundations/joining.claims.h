@@ -202,9 +202,9 @@ learned by heart.
   $\lambda=\frac{\alpha_2}{\alpha_1}$, where $\alpha_1,\alpha_2$ are the lengths of the tangent vectors of $P_{\mathrm I}$
   and $P_{\mathrm{II}}$ at the joint: the unit tangent vectors are equal.
 :holds-by: equal_unit_tangents_fix_the_ratio
-:needs: negative_ratio_turns_back | $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient
+:needs: negative_ratio_turns_back | the line itself, where $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient
   of lengths: with $\lambda<0$ the curve turns on its heel.
-:needs: singular_end_has_no_ratio | $\lambda$ is the quotient of the lengths of tangent vectors | neither derivative is 0 at the
+:needs: singular_end_has_no_ratio | the line itself, where $\lambda$ is the quotient of the lengths of tangent vectors | neither derivative is 0 at the
   joint; as where there are unit tangent vectors: otherwise a quotient of lengths does not exist, and the tangents may be one
   although no $\lambda$ is.
 :figure: joints_of_order
@@ -553,7 +553,7 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :meant: the formula of section 1-4, by which the curvature is a number without a sign | The curvature is $K$.
 :reading: equal_curvatures_to_different_sides | the curvature is $K$
 :reading: curvature_vector_forces_the_condition | it is the vector of curvature, or in the plane the curvature with its sign
-:needs: negative_ratio_turns_back | $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient of lengths.
+:needs: negative_ratio_turns_back | (1-5-2), where $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient of lengths.
 :figure: same_curvature_other_side
 :striking: 43
 

@@ -124,9 +124,9 @@ them.
 :printed: When the shape wanted is not reached by adjusting the parameters of the control points, the power to describe is raised by keeping the
   shape and raising the degree of the curve, or by keeping the shape and dividing the curve.
 :reading: bernstein_raised_by_one_degree | the degree of a polynomial curve can be raised, and the shape is kept
-:reading: triangle_of_powers_consists_of_powers | a polynomial curve can be divided, and the shape is kept
+:reading: piece_of_a_sum_of_powers_is_one | a polynomial curve can be divided, and the shape is kept
 :reading: what the power to describe is, and by how much it is raised: the source does not say, so that nothing is there to be decided
-:confirmed-by: bernstein_sum_of_powers_is_a_power elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
+:confirmed-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
 :::
 
 :::{claim} division_keeps_power_curve
@@ -157,6 +157,30 @@ CLAIM(division_keeps_power_curve)
     G(power_point)(n + 1, dim, c, u, P);
     for (int j = 0; j < dim; j++)
         same(T, P[j], G(power_sum)(n, dim, c, j, u));
+}
+
+/*
+:::{claim} piece_of_a_sum_of_powers_is_one
+:title: A piece of a polynomial curve is a polynomial curve of no higher degree, in every degree
+:zh: 多项式曲线的一段仍为不高于其次数的多项式曲线(任意次数)
+:given: $t=a+hu$, any $a$, $h$ and $u$; a sum $S=\sum r_iu^i$ of some terms, one more coefficient $r$ and power $w=u^i$; a coefficient $c$ of the curve
+:then: $(S+rw)\,t+c=(St+c)+(ar)\,w+(hr)\,(uw)$, and without a term it is $c$: a polynomial in $u$, multiplied by $t$ and with $c$ added, is one of a degree
+  higher by one; so by Horner's rule $P(a+hu)=(\cdots(c_nt+c_{n-1})\,t+\cdots)\,t+c_0$ is a polynomial of degree $n$ or less in $u$, and its points for $0\le u\le1$ are those of
+  $P$ from $a$ to $a+h$; a curve that is divided consists of two such pieces
+:method: Both sides with everything a variable; by induction over the terms, and over the coefficients of the curve.
+:degrees: all
+:scope: polynomial curves
+:over: S# r# c#: coefficients; a h u: parameter value; w: -
+:control: $ar$ in the place of $hr$
+:::
+*/
+CLAIM(piece_of_a_sum_of_powers_is_one)
+{
+    num a = unknown(T, "a", 0), h = unknown(T, "h", 0), u = unknown(T, "u", 0), t = add(a, mul(h, u));
+    num S = unknown(T, "S", 0), r = unknown(T, "r", 0), w = unknown(T, "w", 0), c = unknown(T, "c", 0);
+    num before = add(mul(S, t), c), next = mul(fault(T, h, a), r);
+    about(T, "one term more");
+    same(T, add(mul(add(S, mul(r, w)), t), c), add(before, add(mul(mul(a, r), w), mul(next, mul(u, w)))));
 }
 
 /*

@@ -167,7 +167,7 @@ CLAIM(derivatives_of_a_piece)
 :zh: 参数区间长度的范围
 :printed: 0\le(t_1-t_0)\le1
 :holds-by: length_of_a_piece_is_at_most_one
-:needs: backward_piece_has_negative_length | $[t_0,t_1]$ is a part of $[0,1]$ | $0\le t_0\le t_1\le1$; the piece is taken
+:needs: backward_piece_has_negative_length | the words above (1-5-4), a piece of the curve with $t\in[0,1]$ | $0\le t_0\le t_1\le1$; the piece is taken
   forward.
 :figure: piece_of_a_cubic
 :::
@@ -224,7 +224,7 @@ CLAIM(backward_piece_has_negative_length)
 :zh: 切矢长度的变化
 :printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
 :holds-by: derivatives_of_a_piece
-:needs: backward_piece_has_negative_length | $0\le(t_1-t_0)\le1$ stands before it | $t_0\le t_1$: no length is negative
+:needs: backward_piece_has_negative_length | the line before it, $0\le(t_1-t_0)\le1$ | $t_0\le t_1$: no length is negative
 :figure: piece_of_a_cubic
 :::
 

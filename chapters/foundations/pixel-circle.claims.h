@@ -16,7 +16,7 @@ should be as far as one pixel (象素).
   $x_{n+1}=\cos\theta\,x_n-\sin\theta\,y_n$, $y_{n+1}=\sin\theta\,x_n+\cos\theta\,y_n$; turning a point
   continually, here about the $z$-axis, gives a circle as well.
 :holds-by: rotation_matrix_adds_the_angle rotated_points_are_equally_spaced
-:needs: centre_is_never_turned | $A_0$ has the distance $r$ from the centre | $A_0\ne(0,0)$
+:needs: centre_is_never_turned | the sentence after it, $y_1=r\sin\theta=1$ | $A_0\ne(0,0)$
 :needs: angle_zero_turns_no_point | the angle of the sentence after it, $\theta=\sin^{-1}\frac1r$ | $\theta\ne0$
 :figure: three_generators
 :::
@@ -168,7 +168,7 @@ and the positive root.
 :printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
 :holds-by: third_matrix_by_the_radius
 :confirmed-by: distance_of_the_first_two_points
-:needs: negative_cosine_is_not_the_root | the two points are to be one pixel apart, so that the angle is small |
+:needs: negative_cosine_is_not_the_root | the sentence before it, by which the two points are to be one pixel apart, so that the angle is small |
     $0<\theta\le\frac\pi2$; as for a small step
 :figure: step_of_the_third_way
 :::
@@ -179,7 +179,7 @@ and the positive root.
 :printed: With $\sin\theta=\varepsilon=\frac1r$, $\cos\theta=\sqrt{1-\sin^2\theta}=\sqrt{1-\varepsilon^2}$:
   $R=\begin{bmatrix}\sqrt{1-\varepsilon^2}&\varepsilon\\-\varepsilon&\sqrt{1-\varepsilon^2}\end{bmatrix}=\begin{bmatrix}\sqrt{r^2-1}/r&1/r\\-1/r&\sqrt{r^2-1}/r\end{bmatrix}$
 :holds-by: third_matrix_by_the_radius
-:needs: negative_cosine_is_not_the_root | the two points are to be one pixel apart, so that the angle is small |
+:needs: negative_cosine_is_not_the_root | the sentence before it, by which the two points are to be one pixel apart, so that the angle is small |
   $0<\theta\le\frac\pi2$; so that the cosine is the root that is not negative
 :figure: step_of_the_third_way
 :::

@@ -94,7 +94,7 @@ direction; each of the two parameters has its one tangent, the point has two.
 :printed: At regular points of a curve a unique tangent can be determined.
 :holds-by: quotient_of_a_power_tends_to_its_derivative polynomial_without_constant_is_small_near_zero direction_is_near_where_the_vector_is
 :confirmed-by: chord_turns_into_the_derivative
-:meant: the definition just before it is of a parameter $t_0$ | A regular point is a parameter of the curve, and its tangent the limit of the chords.
+:meant: the definition just before it, which is of a parameter $t_0$ | A regular point is a parameter of the curve, and its tangent the limit of the chords.
 :reading: direction_is_near_where_the_vector_is | A regular point is a parameter, as in the definition: it has one tangent.
 :reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage,
   though both parameters are regular.
@@ -137,7 +137,7 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
 :harmless: $hS-E=g\ge0$ | the induction keeps it
 :harmless: $\varepsilon>0$, $0<y<1$ | as small as one likes
 :then: $h(S+a)-(E+a\,h\,p)=g+a\,h\,(1-p)\ge0$, so $|\sum c_k(\pm h)^k|\le h\sum|c_k|$; and for $h=y\,\frac\varepsilon S$ that is less than $\varepsilon$ by
-  $\varepsilon\,(1-y)$
+  $\varepsilon\,(1-y)$, where $S\ne0$; with $S=0$ the sum is 0
 :method: One step with everything a variable; then induction over the terms.
 :degrees: all
 :over: h g S a p e y: -
@@ -168,7 +168,7 @@ CLAIM(polynomial_without_constant_is_small_near_zero)
 :given: a vector $d\ne0$ of space, and another one, $q=d+e$, any $e$
 :where: $\dot P\ne0$
 :then: $q\times d=e\times d$ and $|e|^2|d|^2-|e\times d|^2=(e\cdot d)^2\ge0$, so that the sine of the angle of $q$ and $d$, $\frac{|q\times d|}{|q||d|}$, is at most
-  $\frac{|e|}{|q|}$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$
+  $\frac{|e|}{|q|}$, where $|q|\ge|d|-|e|$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$
 :method: Identities in the six coordinates.  With $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the vector $e$ is a polynomial in $h$ without a constant by
   `quotient_of_a_power_tends_to_its_derivative`, and as small as one likes by `polynomial_without_constant_is_small_near_zero`, for $h$ on
   either side of 0: so the directions of the chords tend to that of $d$, and to no other.
@@ -626,7 +626,7 @@ CLAIM(point_moves_backward_in_between)
     given_points(T, "c", 4, 1, c);
     G(power_derivatives)(3, 1, c, given(T, "t"), 1, D);
     found(T, "φ'(t)", D[1]);
-    about(T, "whether the point does not move backward");
+    about(T, "φ'(t), which should not be negative where the point does not move backward");
     nonnegative(T, D[1]);
 }
 

@@ -21,7 +21,7 @@ step, which makes them as large as the coefficients, and begins the table with t
 :zh: 高阶差分已相当小
 :printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have become rather small.
 :holds-by: third_difference_loses_three_bytes
-:meant: the next line takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, so that their digits are
+:meant: the next line, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, so that their digits are
   not lost | Against the coefficients of the curve the differences are small.
 :reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0
 :reading: third_difference_loses_three_bytes | from the third on, against the coefficients: $6A/2^{24}$
@@ -190,7 +190,8 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :title: With powers of two the points are computed at high speed
 :zh: 步长为 2 的幂时高速计算
 :printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
-:holds-by: step_costs_additions_only table_costs_shifts_and_additions table_after_any_number_of_steps printed_lines_step_a_cubic
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table table_after_any_number_of_steps
+  printed_lines_step_a_cubic
 :confirmed-by: stepping_reaches_the_other_end table_is_whole_in_units_of_the_cube stepping_is_exact_for_short_coefficients
 :meant: the words before the table, with shifts and additions only, and thereby (从而) at high speed | High speed is: with shifts and additions
   in the place of products.

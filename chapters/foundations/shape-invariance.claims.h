@@ -528,7 +528,7 @@ the points whatever the functions are: that is the associative law of the produc
 :printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0T\cdots Q_nT]^T=[\phi_0\cdots\phi_n][Q_0\cdots Q_n]^TT=P(t)\,T$: after a rotation the
   shape is kept.
 :holds-by: matrices_pass_to_the_points
-:needs: rotation_about_a_point_moves_the_example | the proof multiplies by one matrix $T$ | the rotation is about the origin:
+:needs: rotation_about_a_point_moves_the_example | the proof, which multiplies by one matrix $T$ | the rotation is about the origin:
   such a one is a matrix.  About another point it contains a translation.
 :figure: rotations_of_the_example
 :::

@@ -73,20 +73,21 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
 :::{claim} second_orbit_has_equal_angles
 :title: Along the orbit of the second way an angle grows evenly
 :zh: 第二种方法的等角参数
-:given: any $r$, $\theta$ and $\delta=\frac{\Delta\theta}2$ with the tangents $a$ and $b$ of their halves
+:given: any $r$, $\theta$ and $\delta=\frac{\Delta\theta}2$, by the directions $(a_0,a_1)$ and $(b_0,b_1)$ of their halves
 :then: the step $T$ with $\varepsilon=2\sin\delta$ takes $(r\cos\theta,r\sin(\theta+\delta))$ to
   $(r\cos(\theta+2\delta),r\sin(\theta+3\delta))$, and the middle terms of both chains are equal to the outer ones
-:method: All sums of angles from the tangents of their halves; $a$, $b$, $r$ variables.
-:over: a b: angle but π; r: radius
+:method: All sums of angles from the directions of their halves, as $(a_0b_0-a_1b_1,\,a_0b_1+a_1b_0)$ for $\theta+\delta$; the five numbers are variables.
+:over: a# b#: angles; r: radius
 :control: $\varepsilon=2\sin\Delta\theta$
 :::
 */
 CLAIM(second_orbit_has_equal_angles)
 {
-    num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0), two = from_int(2);
-    num once = G(half_of_sum)(a, b), twice = G(half_of_sum)(once, b), thrice = G(half_of_sum)(twice, b);
-    struct G(turn) theta = G(turn_by)(a), delta = G(turn_by)(b), one = G(turn_by)(once), full = G(turn_by)(twice),
-                   last = G(turn_by)(thrice);
+    struct G(half) a = G(free_half)(T, "a"), b = G(free_half)(T, "b"), once = G(sum_of)(a, b),
+                   twice = G(sum_of)(once, b);
+    struct G(turn) theta = G(turn_of)(a), delta = G(turn_of)(b), one = G(turn_of)(once), full = G(turn_of)(twice),
+                   last = G(turn_of)(G(sum_of)(twice, b));
+    num r = positive(T, "r", 0), two = from_int(2);
     num sine = fault(T, delta.sin, mul(two, mul(delta.sin, delta.cos)));
     num epsilon = mul(two, sine), M[4], next[2], P[2] = {mul(r, theta.cos), mul(r, one.sin)}, twice_r = mul(two, r);
     G(second_step)(epsilon, M);
@@ -105,20 +106,21 @@ CLAIM(second_orbit_has_equal_angles)
 :::{claim} second_step_is_a_rotation_in_other_coordinates
 :title: With one of its coordinates changed the step of the second way is a rotation, from every point
 :zh: 换坐标后第二种方法为旋转
-:given: any point $(x,y)$, any $\delta=\frac{\Delta\theta}2$ with the tangent $b$ of its half, $\varepsilon=2\sin\delta$, $|\varepsilon|<2$
+:given: any point $(x,y)$, any $\delta=\frac{\Delta\theta}2$, by the direction $(b_0,b_1)$ of its half, $\varepsilon=2\sin\delta$, $|\varepsilon|<2$
 :where: $|\varepsilon|<2$
 :let: $X=x$ and $Y=\frac{y-x\sin\delta}{\cos\delta}$
 :then: $y=X\sin\delta+Y\cos\delta$, so that for $X=r\cos\theta$, $Y=r\sin\theta$ the point is $(r\cos\theta,r\sin(\theta+\delta))$; the step takes $(X,Y)$ to
   $(X\cos\Delta\theta-Y\sin\Delta\theta,\,X\sin\Delta\theta+Y\cos\Delta\theta)$
-:method: The step on $(x,y)$, and the two coordinates of the result; $x$, $y$, $b$ variables.  Every $(X,Y)$ has an $r$ and a $\theta$.
-:over: x y: point; b: angle but π
+:method: The step on $(x,y)$, and the two coordinates of the result; $x$, $y$, $b_0$, $b_1$ variables.  Every $(X,Y)$ has an $r$ and a $\theta$.
+:over: x y: point; b#: angles
 :control: $\varepsilon=\sin\delta$
 :::
 */
 CLAIM(second_step_is_a_rotation_in_other_coordinates)
 {
-    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, b = parameter(T, "b"), M[4];
-    struct G(turn) delta = G(turn_by)(b), full = G(turn_by)(G(half_of_sum)(b, b));
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, Q[2] = {P[0], P[1]}, M[4];
+    struct G(half) b = G(free_half)(T, "b");
+    struct G(turn) delta = G(turn_of)(b), full = G(turn_of)(G(sum_of)(b, b));
     num X = P[0], Y = div(sub(P[1], mul(P[0], delta.sin)), delta.cos);
     about(T, "y from the new coordinates");
     same(T, add(mul(X, delta.sin), mul(Y, delta.cos)), P[1]);
@@ -174,18 +176,20 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
 :::{claim} second_orbit_satisfies_the_printed_equation
 :title: The points of the difference equations are on the printed ellipse
 :zh: 差分方程的点满足椭圆方程
-:given: any $r$ and $\theta$, and $\delta=\frac{\Delta\theta}2$, with the tangents $a$ and $b$ of the halves of the angles, $r\cos\delta\ne0$
-:where: $r\cos\frac{\Delta\theta}2\ne0$
+:given: any radius $r$ and angle $\theta$, and $\delta=\frac{\Delta\theta}2$ with $\cos\delta\ne0$, by the directions $(a_0,a_1)$ and $(b_0,b_1)$ of the halves of $\theta$ and $\delta$
+:scope: 0 < Δθ < π
+:harmless: $\cos\delta\ne0$ | it is not 0 for $0<\Delta\theta<\pi$
 :then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
-:method: An identity in $a$, $b$ and $r$, term by term as printed.
-:over: a b: angle but π; r: radius
+:method: An identity in the five numbers, term by term as printed.
+:over: a# b#: angles; r: radius
 :control: the factor 2 of the product $xy$ left out
 :::
 */
 CLAIM(second_orbit_satisfies_the_printed_equation)
 {
-    num a = parameter(T, "a"), b = parameter(T, "b"), r = positive(T, "r", 0);
-    struct G(turn) theta = G(turn_by)(a), delta = G(turn_by)(b), shifted = G(turn_by)(G(half_of_sum)(a, b));
+    struct G(half) a = G(free_half)(T, "a"), b = G(free_half)(T, "b");
+    struct G(turn) theta = G(turn_of)(a), delta = G(turn_of)(b), shifted = G(turn_of)(G(sum_of)(a, b));
+    num r = positive(T, "r", 0);
     num x = mul(r, theta.cos), y = mul(r, shifted.sin), below = mul(r, delta.cos);
     num square = mul(below, below), factor = mul(from_int(fault(T, 2, 1)), delta.sin);
     num left = sub(add(div(mul(x, x), square), div(mul(y, y), square)), mul(div(factor, square), mul(x, y)));

@@ -20,8 +20,27 @@ static inline void G(rotation)(struct G(turn) angle, num M[])
     M[2] = neg(angle.sin);
 }
 
-/* The tangent of half the sum of two angles, from the tangents a and b of their halves:  (a + b)/(1 - ab) */
-static inline num G(half_of_sum)(num a, num b) { return div(add(a, b), sub(from_int(1), mul(a, b))); }
+/* An angle by the direction (p, q) of its half, p and q not both 0: the tangent of the half is q/p, and p = 0 is the angle pi. */
+struct G(half) {
+    num p, q;
+};
+static inline struct G(half) G(free_half)(trial *T, const char *name)
+{
+    return (struct G(half)){unknown(T, name, 0), unknown(T, name, 1)};
+}
+
+/* Its cosine and sine:  (p^2 - q^2)/(p^2 + q^2),  2 p q/(p^2 + q^2) */
+static inline struct G(turn) G(turn_of)(struct G(half) h)
+{
+    num pp = mul(h.p, h.p), qq = mul(h.q, h.q), whole_square = add(pp, qq), pq = mul(h.p, h.q);
+    return (struct G(turn)){div(sub(pp, qq), whole_square), div(add(pq, pq), whole_square)};
+}
+
+/* The half of the sum of two angles:  (p p' - q q', p q' + q p'), of the tangent (q/p + q'/p')/(1 - (q/p)(q'/p')) */
+static inline struct G(half) G(sum_of)(struct G(half) g, struct G(half) h)
+{
+    return (struct G(half)){sub(mul(g.p, h.p), mul(g.q, h.q)), add(mul(g.p, h.q), mul(g.q, h.p))};
+}
 
 /* v becomes v M^n, by n steps. */
 static inline void G(steps)(int n, const num M[], num v[])

@@ -4,7 +4,8 @@
 
 A condition in `given` takes cases away.  So the scope of the claim tells it, by its phrases, its data ("all positive weights") or
 its option `where`; and as the scope of a verdict is what those of its claims have in common, the verdict tells it, too.  Where
-a condition takes no case away, the block says so and why: `:harmless: words of given | why`.
+a condition takes no case away, the block says so and why: `:harmless: words of given | why`.  And the scope of a verdict says
+nothing twice: no relation of numbers in it follows from the others.
 """
 import json
 import re
@@ -18,6 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "scripts"))
 from register import load  # noqa: E402
 
 CLAIMS = json.loads((FOLDER / "verify.json").read_text(encoding="utf-8"))["claims"]
+STATEMENTS = json.loads((FOLDER / "report/ledger.json").read_text(encoding="utf-8"))["statements"]
 BLOCKS = {c["name"]: c["has"] for c in load(REGISTER_FILE)["claims"]}
 # Letters that count: 0 <= i <= n says which sums and points there are.
 COUNTING = set("hijklmnprNMKL") | {"mu", "rho", "nu"}
@@ -51,6 +53,59 @@ def relations(text):
             names = letters(part)
             if re.search(RELATION, part) and names - COUNTING:
                 yield part.strip("$ "), names
+
+
+GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "varepsilon": "ε", "theta": "θ", "Delta": "Δ", "lambda": "λ", "mu": "μ",
+         "rho": "ρ", "tau": "τ", "varphi": "φ", "omega": "ω", "pi": "π", "ne": "≠", "le": "≤", "ge": "≥"}
+RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹ᵐⁿᵏ", "-0123456789mnk")
+
+
+def in_one_script(phrase):
+    """A phrase of a scope, which may be TeX or print: δ = 2⁻ᵐ and $\\delta=2^{-m}$ are one."""
+    phrase = re.sub(r"\\([A-Za-z]+) ?", lambda m: GREEK.get(m.group(1), m.group(0)), phrase.replace("$", ""))
+    return re.sub(r"[\^{}\s]", "", phrase.translate(RAISED).replace(" and ", ","))
+
+
+def smaller_first(phrase):
+    """The relations of a phrase, "0 < t ≤ 1" as two of them, each with its smaller side first."""
+    found = set()
+    for part in in_one_script(phrase).split(","):
+        side = re.split(r"([<>≤≥=≠])", part)
+        for k in range(1, len(side) - 1, 2):
+            a, sign, b = side[k - 1 : k + 2]
+            found.add((b, {">": "<", "≥": "≤"}[sign], a) if sign in ">≥" else (a, sign, b))
+    return found
+
+
+def is_reached(a, b, known, strictly):
+    """Whether a < b, or a ≤ b, by a chain of known relations."""
+    seen, ahead = set(), [(a, False)]
+    while ahead:
+        place = ahead.pop()
+        if place in seen:
+            continue
+        seen.add(place)
+        at, strict = place
+        if at == b and len(seen) > 1 and (strict or not strictly):
+            return True
+        ahead += [(q, strict or sign == "<") for p, sign, q in known if p == at and sign != "≠"]
+        ahead += [(p, strict) for p, sign, q in known if q == at and sign == "="]
+    return False
+
+
+def follows(relation, known):
+    a, sign, b = relation
+    if relation in known or (sign in "=≠" and (b, sign, a) in known):
+        return True
+    return sign != "=" and any(is_reached(x, y, known, sign != "≤") for x, y in [(a, b), (b, a)][: 2 if sign == "≠" else 1])
+
+
+def said_twice(scope):
+    """The phrases of a scope whose relations follow from its other phrases; those in brackets are each for a step of its own."""
+    phrases = re.split(r"; (?:where )?|, (?:and )?where |, and |^where ", re.sub(r"\bcases \((?:[^()]|\([^()]*\))*\)", "cases", scope))
+    held = [smaller_first(phrase) for phrase in phrases]
+    return [phrase for k, phrase in enumerate(phrases)
+            if held[k] and all(follows(r, set().union(*held[:k], *held[k + 1 :])) for r in held[k])]
 
 
 def is_told(names, scope):
@@ -95,6 +150,21 @@ class Conditions(unittest.TestCase):
                 with self.subTest(claim["name"]):
                     given = claim["given"].replace(harmless.split("|")[0].strip(), " ")
                     self.assertNotEqual(untold(given, claim["scope"]), untold(claim["given"], claim["scope"]), harmless)
+
+    def test_no_condition_is_said_twice(self):
+        asked = 0
+        for row in STATEMENTS:
+            for scope in row["as_printed"]["scope"], (row["corrected"] or {}).get("scope"):
+                asked += scope is not None and "where" in scope
+                with self.subTest(row["id"]):
+                    self.assertEqual(said_twice(scope or ""), [], scope)
+        self.assertGreater(asked, 100)
+        for scope in ("ε > 0; every point, where $\\varepsilon\\ne0$", "every number; δ = 2⁻ᵐ, where $\\delta=2^{-m}$", "a < t ≤ b; where $a<b$",
+                      "where $a\\ne b$, and $a<b$", "0 < s < 1, where $s\\le1$"):
+            self.assertNotEqual(said_twice(scope), [], scope)
+        for scope in ("all points, where $a>0$, and $b>0$", "each step for its own cases (u ≥ 0 and a < t; u ≥ 0), where $x\\ne0$", "n = 2 to 5; 0 ≤ t ≤ 1",
+                      "where $t\\ne0$, and $t\\ne1$", "0 < s < 1, where $s\\ne\\frac12$"):
+            self.assertEqual(said_twice(scope), [], scope)
 
     def test_conditions_are_seen(self):
         for given, scope in (("positive weights", "all weights"), ("$t_0<t_1$, any $t$", "every t"), ("any $\\beta\\ne0$", "every β"),
