@@ -149,7 +149,7 @@ an equation without a parameter.
 :title: Complicated shapes without a parameter
 :zh: 难以灵活地构造复杂的曲线、曲面
 :printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
-:reading: parametric_cubic_crosses_itself | hard is what an equation $y=f(x)$ cannot do at all: a curve that crosses itself has
+:reading: parametric_cubic_crosses_itself | hard is what an equation $y=f(x)$ cannot do at all: there is a curve, which crosses itself, that has
   none
 :confirmed-by: nodal_cubic_has_an_equation
 :reading: what else is hard, and which curves and surfaces are complicated: an opinion, which no computation decides
@@ -190,25 +190,30 @@ CLAIM(nodal_cubic_has_an_equation)
 
 /*
 :::{claim} parametric_cubic_crosses_itself
-:title: A parametric cubic crosses itself, which no graph does
+:title: A parametric cubic crosses itself and is no graph
 :zh: 参数三次曲线可自交
 :kind: decision
-:data: c = (-1,0) (0,-1) (1,0) (0,1); t = -1 1
+:data: c = (-1,0) (0,-1) (1,0) (0,1); t = -1 1; s = -1/2 1/2
 :instead: c = (-1,0) (1,-1) (0,0) (0,1)
-:result: P = (0,0) (0,0); P' = (-2,2) (2,2)
-:given: the cubic $P(t)=\sum_kc_kt^k$ and two parameters $t$
-:then: there $P$ is twice the same point, and the two derivatives are not parallel
+:result: P = (0,0) (0,0); P' = (-2,2) (2,2); points at s = (-3/4,3/8) (-3/4,-3/8)
+:given: the cubic $P(t)=\sum_kc_kt^k$, two parameters $t$ and two others, $s$
+:then: at the $t$ the curve $P$ is twice the same point, and the two derivatives are not parallel; at the $s$ it has two points with one $x$ and two
+  different $y$, so that no $y=f(x)$ contains it
 :method: Points and derivatives by the power kernel, the determinant of the derivatives.
 :control: a cubic whose $x$ increases with $t$
 :::
 */
 CLAIM(parametric_cubic_crosses_itself)
 {
-    num c[4 * plane], t[2], D[2][2 * plane];
+    num c[4 * plane], t[2], s[2], D[2][2 * plane], above[2 * plane];
     given_points(T, "c", 4, plane, c);
     given_points(T, "t", 2, 1, t);
-    for (int k = 0; k < 2; k++)
+    given_points(T, "s", 2, 1, s);
+    for (int k = 0; k < 2; k++) {
         G(power_derivatives)(3, plane, c, t[k], 1, D[k]);
+        G(power_point)(3, plane, c, s[k], above + k * plane);
+    }
+    found_points(T, "points at s", 2, plane, above);
     found_points(T, "P", 2, plane, (num[]){D[0][0], D[0][1], D[1][0], D[1][1]});
     found_points(T, "P'", 2, plane, (num[]){D[0][2], D[0][3], D[1][2], D[1][3]});
     about(T, "the two points");
@@ -216,6 +221,8 @@ CLAIM(parametric_cubic_crosses_itself)
     same(T, D[0][1], D[1][1]);
     about(T, "whether the derivatives are not parallel");
     agree(T, !is_zero_q(G(cross2)(D[0] + plane, D[1] + plane)));
+    about(T, "whether the two points at s have one x and two y");
+    agree(T, equal_q(above[0], above[plane]) && !equal_q(above[1], above[plane + 1]));
 }
 #endif
 
@@ -681,13 +688,46 @@ CLAIM(another_coordinate_changes_no_other)
 :title: Over the unit interval the coordinates are bounded
 :zh: 规格化参数使几何分量有界
 :printed: With $t\in[0,1]$ the coordinates are bounded, and no further parameters are needed to mark the border.
-:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:holds-by: one_factor_and_one_term_keep_a_bound
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :hypothesis: quotient_with_a_pole_is_unbounded | the functions are polynomials: quotients of polynomials may have a pole in $[0,1]$
 
-For a polynomial the bound is that of its Bernstein coefficients: the value is an average of them.
+A bound of a polynomial is the sum of the absolute values of its coefficients, and the borders are at $t=0$ and $t=1$.
+:::
+
+:::{claim} one_factor_and_one_term_keep_a_bound
+:title: Over the unit interval a polynomial is bounded by its coefficients, in every degree
+:zh: 单位区间上多项式以系数绝对值之和为界
+:given: $-M\le q\le M$ and $-C\le c\le C$, any numbers; $0\le t\le1$
+:harmless: $-M\le q\le M$ | the bound that is known of the polynomial of one degree less, by the induction
+:harmless: $-C\le c\le C$ | $C$ is the absolute value of $c$
+:harmless: $0\le t\le1$ | the interval of the statement
+:then: $-(M+C)\le tq+c\le M+C$
+:method: $M-q$, $M+q$, $C-c$, $C+c$ are variables, which are positive, and $M+C-(tq+c)=(1-t)M+t(M-q)+(C-c)$, likewise with the other sign; signs of coefficients for
+  $t=\frac s{1+s}$, $s>0$, and once more at $t=0$ and $t=1$.  A constant
+  $c_n$ has the bound $|c_n|$, and a polynomial is built from it by $p\mapsto tp+c_k$: so by induction $|p(t)|\le\sum_k|c_k|$ for every degree.
+:degrees: all
+:over: a b d e: -; s: -
+:types: field rational
+:control: the share $(1-t)M$ left out
 :::
 */
+CLAIM(one_factor_and_one_term_keep_a_bound)
+{
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), d = positive(T, "d", 0), e = positive(T, "e", 0);
+    num two = from_int(2), M = div(add(a, b), two), q = div(sub(b, a), two); /* M - q = a, M + q = b */
+    num C = div(add(d, e), two), c = div(sub(e, d), two);                    /* C - c = d, C + c = e */
+    num t[3] = {inside(T, "s"), from_int(0), from_int(1)}, bound = add(M, C);
+    for (int k = 0; k < 3; k++) {
+        num value = add(mul(t[k], q), c), kept = mul(sub(from_int(1), fault(T, t[k], from_int(1))), M);
+        about(T, "below the bound");
+        nonnegative(T, sub(bound, value));
+        same(T, sub(bound, value), add(kept, add(mul(t[k], a), d)));
+        about(T, "above the bound with the other sign");
+        nonnegative(T, add(bound, value));
+        same(T, add(bound, value), add(kept, add(mul(t[k], b), e)));
+    }
+}
 
 #if RATIONAL
 /*
