@@ -45,7 +45,7 @@ vanishing curvature or torsion, and its members have them.
   point $\tau(t)=t$; such points are closed in the span, and by what was said open in it: they are the whole span.
 :meant: (4.3.3) and (4.3.15), by which the section determines the envelope | The first and the second: all joint
   solutions.
-:corrected: beside $\tau=t$ the joint solutions are the pairs for which the member $\tau$ of order $k-r+1$ has
+:corrected: beside $\tau=t$ the joint solutions are the pairs for which the member of the level before, $R=\mathbf r^{[k-r+1]}(\cdot,\tau)$, has
   $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before convex_polygon_of_span_has_one_envelope

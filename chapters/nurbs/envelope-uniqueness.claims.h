@@ -37,7 +37,7 @@ inflection: it is touched by every member.
   the same value at them.
 :reading: folded_line_has_another_solution | the same when $\mathbf r'\times\mathbf r''$ is 0 identically, a case which the proof includes
 :corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the
-  points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$; hence, unless
+  points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$, $W$ being the denominator of the member; hence, unless
   $\mathbf r$ is on a straight line, the envelope is $\mathbf r$ alone if and only if $\mathbf r'\times\mathbf r''=0$
   only where $\mathbf r'=0$; so for a strictly convex control polygon of the span
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent extra_points_run_along_the_tangent
