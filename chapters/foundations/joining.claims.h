@@ -165,8 +165,8 @@ CLAIM(joined_pieces_are_not_closed)
 :given: $P,P',P''$ of the first piece at the joint, $\lambda>0$, any $\beta$; $P_{\mathrm{II}}$ with $P$, $\lambda P'$,
   $\lambda^2P''+\beta P'$ and any third derivative
 :where: $\lambda>0$
-:then: $Q(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $Q(0)=P$, $Q'(0)=P'$, $Q''(0)=P''$
-:method: $Q$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
+:then: $S(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $S(0)=P$, $S'(0)=P'$, $S''(0)=P''$
+:method: $S$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
   variable.
 :types: field
 :over: p#: points; v# w# z#: derivatives; l: λ; b: β; u
