@@ -238,7 +238,7 @@ CLAIM(upright_tangent_is_continuous_and_not_c1)
 :instead: c = (0,0) (1,0) (0,1) (1,0)
 :result: P'(-h) = (3/1000000,-1/500); P'(h) = (3/1000000,1/500); P'(-s) P'(s) = "9*s^4 - 4*s^2"
 :given: the cubic $P(t)=\sum_kc_kt^k=(t^3,t^2)$, which has continuous derivatives of every order, and a small $h$
-:then: $P'(-h)\cdot P'(h)<0$; the product is a polynomial in $h$ whose term of the lowest degree is negative, so that however near to the origin the
+:then: $P'(-h)\cdot P'(h)<0$; at any $s$ the product $P'(-s)\cdot P'(s)$ is a polynomial in $s$ whose term of the lowest degree is negative, so that however near to the origin the
   tangents before and after make an obtuse angle
 :method: The derivatives by the power kernel at $h$; that their product is not negative is refuted.  The product at every $s$ by the
   coefficients.
@@ -433,7 +433,8 @@ part along the tangent may be added.  Each of the four readings of the printed s
 :printed: $G^2$ means that the first and the second derivatives of the two segments are proportional at the joint.
 :refuted-by: proportional_derivatives_with_another_curvature one_factor_for_both_derivatives smooth_curve_without_proportional_derivatives proportional_derivatives_by_arc_length
 :class: false
-:corrected: $Q'=\lambda P'$ and $Q''=\lambda^2P''+\beta P'$ with $\lambda>0$ and any $\beta$, $P'\ne0$
+:corrected: $\dot P_{\mathrm{II}}=\lambda\dot P_{\mathrm I}$ and $\ddot P_{\mathrm{II}}=\lambda^2\ddot P_{\mathrm I}+\beta\dot P_{\mathrm I}$ at the joint of the segments $P_{\mathrm I}$
+  and $P_{\mathrm{II}}$, with $\lambda>0$ and any $\beta$, $\dot P_{\mathrm I}\ne0$
 :corrected-by: conditions_make_one_curve_in_another_parameter condition_keeps_the_curvature_vector curvature_vector_forces_the_condition
   second_derivative_splits_along_the_first
 :figure: proportional_derivatives

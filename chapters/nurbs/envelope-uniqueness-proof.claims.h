@@ -118,7 +118,7 @@ through the origin at one $t$ is easily made: one prescribes the member and look
 :zh: 和为零而各项不为零
 :kind: counterexample
 :given: the cubic curve of space $\sum a_mt^m$ as a segment of degree four over the uniform knots $t_i$, weights 1,
-  whose member $\tau$ of level 1 is a multiple of $(t+1,t^2,t^3)$; $r=2$, and a $t$
+  whose member $R$ of level 1, of the parameter $\tau$, is a multiple of $(t+1,t^2,t^3)$; $r=2$, and a $t$
 :data: t_i = -18 -14 -10 -6 -2 2 6 10 14 18; a = (2,1,-3) (4,-4,12) (0,6,-18) (0,0,12) (0,0,0); t = 0; τ = 1
 :then: $\sum N_{i,k-1}(t)(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$, and not every term is 0
 :result: r_i = (-30,377,-5355) (-14,73,-27) (2,-39,117) (18,41,-315) (34,313,3285); the triple products = -6480 1296
@@ -242,7 +242,7 @@ No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3
 :zh: 第 1 层混合积为零而第 0 层不为零
 :kind: counterexample
 :given: the cubic curve of space $\sum a_mt^m$, which is $(t,t^2,(t-1)^3)$, as a segment over the uniform knots $t_i$,
-  weights 1; $r=2$, a $t$, and the $\tau$ whose member of level 1 is in the plane $z=0$
+  weights 1; $r=2$, a $t$, and the $\tau$ whose member $R$ of level 1 is in the plane $z=0$
 :data: t_i = -14 -10 -6 -2 2 6 10 14; a = (0,0,-1) (1,0,3) (0,1,-3) (0,0,1); t = 0; τ = 1
 :then: $(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$ for all $i$, and not every $(r_i,\partial_tR,\partial_t^2R)$ is
   0

@@ -102,7 +102,7 @@ CLAIM(touching_curve_satisfies_the_condition)
 :title: Where a member stands still the condition is satisfied, and the member is not touched
 :zh: 族曲线的驻点处满足包络条件而不相切
 :kind: counterexample
-:given: the cubic $\sum a_mt^m$, which is $(t+t^2,t^3)$, as a segment over the uniform knots $t_i$, weights 1; $r=1$, its inflection $t$ and the member $\tau$
+:given: the cubic $\sum a_mt^m$, which is $(t+t^2,t^3)$, as a segment over the uniform knots $t_i$, weights 1; $r=1$, its inflection $t$ and the member $X$ of the parameter $\tau$
 :data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0) (1,0) (1,0) (0,1); t = 0; τ = -1
 :instead: τ = -1/2
 :then: (4.3.9) is satisfied because $\partial_tX=0$; the solutions about the pair are the line $t=0$, whose points run along the axis, and the
