@@ -529,7 +529,6 @@ In the text at hand the sums of products have no signs; with those shown here th
 :zh: 曲面保持边界与跨界切向量
 :given: any matrix $M$; on a border any values of its curve, of its derivative across, and of the four functions along it; across it the four functions have the
   values and derivatives of the unit matrix
-:harmless: values and derivatives of the unit matrix | the functions $q$ have them, `unit_functions_are_dual_to_the_data`
 :then: on all four borders the value of the patch and its derivative across are the given ones
 :method: At $u=0$ and $u=1$ the values and the derivatives of the four functions are rows of the unit matrix, and what
   runs across has its values and derivatives in $M$; at $w=0$ and $w=1$ the same, run as well.  No other property is used.

@@ -294,7 +294,6 @@ CLAIM(cusp_has_no_equation_of_the_tangent)
 #endif
 
 /*
-
 In space one equation is a surface, and two are needed.  The slides think of cylinders, each over a projection of the curve to a plane of two
 axes.  Every point of the curve is on both; the question is what else is.  For two graphs over one axis nothing else is.  For an ellipse and two
 of its cylinders, and for a circle that is tilted against all three axes and any two of them, there is a second curve.
@@ -626,7 +625,6 @@ CLAIM(maps_of_the_equations_are_one_matrix)
 }
 
 /*
-
 :::{statement} slides-ch4:1-freedom
 :title: More freedom for the shape
 :zh: 参数形式自由度更大
@@ -694,40 +692,7 @@ CLAIM(another_coordinate_changes_no_other)
 
 A bound of a polynomial is the sum of the absolute values of its coefficients, and the borders are at $t=0$ and $t=1$.
 :::
-
-:::{claim} one_factor_and_one_term_keep_a_bound
-:title: Over the unit interval a polynomial is bounded by its coefficients, in every degree
-:zh: 单位区间上多项式以系数绝对值之和为界
-:given: $-M\le q\le M$ and $-C\le c\le C$, any numbers; $0\le t\le1$
-:harmless: $-M\le q\le M$ | the bound that is known of the polynomial of one degree less, by the induction
-:harmless: $-C\le c\le C$ | $C$ is the absolute value of $c$
-:harmless: $0\le t\le1$ | the interval of the statement
-:then: $-(M+C)\le tq+c\le M+C$
-:method: $M-q$, $M+q$, $C-c$, $C+c$ are variables, which are positive, and $M+C-(tq+c)=(1-t)M+t(M-q)+(C-c)$, likewise with the other sign; signs of coefficients for
-  $t=\frac s{1+s}$, $s>0$, and once more at $t=0$ and $t=1$.  A constant
-  $c_n$ has the bound $|c_n|$, and a polynomial is built from it by $p\mapsto tp+c_k$: so by induction $|p(t)|\le\sum_k|c_k|$ for every degree.
-:degrees: all
-:over: a b d e: -; s: -
-:types: field rational
-:control: the share $(1-t)M$ left out
-:::
 */
-CLAIM(one_factor_and_one_term_keep_a_bound)
-{
-    num a = positive(T, "a", 0), b = positive(T, "b", 0), d = positive(T, "d", 0), e = positive(T, "e", 0);
-    num two = from_int(2), M = div(add(a, b), two), q = div(sub(b, a), two); /* M - q = a, M + q = b */
-    num C = div(add(d, e), two), c = div(sub(e, d), two);                    /* C - c = d, C + c = e */
-    num t[3] = {inside(T, "s"), from_int(0), from_int(1)}, bound = add(M, C);
-    for (int k = 0; k < 3; k++) {
-        num value = add(mul(t[k], q), c), kept = mul(sub(from_int(1), fault(T, t[k], from_int(1))), M);
-        about(T, "below the bound");
-        nonnegative(T, sub(bound, value));
-        same(T, sub(bound, value), add(kept, add(mul(t[k], a), d)));
-        about(T, "above the bound with the other sign");
-        nonnegative(T, add(bound, value));
-        same(T, add(bound, value), add(kept, add(mul(t[k], b), e)));
-    }
-}
 
 #if RATIONAL
 /*
@@ -757,7 +722,6 @@ CLAIM(quotient_with_a_pole_is_unbounded)
 #endif
 
 /*
-
 :::{statement} slides-ch4:1-part
 :title: A part of a curve or of a surface
 :zh: 用参数范围界定曲线或曲面的一部分
@@ -768,7 +732,6 @@ CLAIM(quotient_with_a_pole_is_unbounded)
   ranges mark off, of a surface a rectangle of its two parameters.
 :reading: range_of_parameters_marks_a_part | ranges mark off a part
 :reading: triangle_of_parameters_is_no_rectangle | every part can be marked off by ranges
-
 :::
 
 :::{claim} range_of_parameters_marks_a_part
@@ -840,7 +803,6 @@ CLAIM(triangle_of_parameters_is_no_rectangle)
 #endif
 
 /*
-
 :::{statement} slides-ch4:1-pieces
 :title: Pieces that are joined smoothly
 :zh: 便于分段、分片描述与光顺连接

@@ -644,7 +644,7 @@ CLAIM(twisted_sextic_has_second_envelope)
 :then: (4.3.15) is satisfied for all $t$ of the span; one point, that of the last $t$, is not on the curve
 :result: r_i = (-5,-95) (-3,-9) (-1,5) (1,-5) (3,9) (5,95); the condition is satisfied at t = (-1) (-3/4) (-1/2) (-1/4) (0) (1/4) (1/2) (3/4) (1); point of the member =
   (2/25,-4/625); its derivatives by t and τ = (2/5,-12/125) (3/5,-18/125)
-:method: With weights 1 a member $X$ is a polynomial in $t$ and $\tau$ of degree $5$ together, and $X_t\times X_\tau$ one in $t$ of degree $8$ for $\tau=ct$: it is $0$ for all $t$
+:method: With weights 1 a member $X$ is a polynomial in $t$ and $\tau$ of degree $5$ together, and $X_t\times X_\tau$ one in $t$ of degree eight for $\tau=ct$: it is $0$ for all $t$
   if it is at nine.  Then $y-x^3$ of one point is compared with 0.
 :control: $\tau=t$
 :::
