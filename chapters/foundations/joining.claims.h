@@ -62,7 +62,7 @@ CLAIM(continuous_slope_with_another_speed)
     found_points(T, "P_I(1), P_I'(1)", 2, 2, D);
     found_points(T, "P_II(0), P_II'(0)", 2, 2, E);
     int smooth = same_point(D, E) && is_zero_q(div(D[3], D[2])) && is_zero_q(div(E[3], E[2]));
-    about(T, "position and slope being the same, whether the derivatives are");
+    about(T, "position and slope being the same, whether the derivatives are the same");
     refute(T, smooth && !equal_q(D[2], E[2]));
 }
 #endif

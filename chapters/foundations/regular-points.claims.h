@@ -626,7 +626,7 @@ CLAIM(point_moves_backward_in_between)
     given_points(T, "c", 4, 1, c);
     G(power_derivatives)(3, 1, c, given(T, "t"), 1, D);
     found(T, "φ'(t)", D[1]);
-    about(T, "whether the point does not move backward");
+    about(T, "the derivative");
     nonnegative(T, D[1]);
 }
 
