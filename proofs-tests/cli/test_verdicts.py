@@ -118,6 +118,18 @@ class Scopes(unittest.TestCase):
                     told += 1
         self.assertGreater(told, 150)
 
+    def test_a_condition_is_told_once(self):
+        """Two conditions that differ by an index or a mark alone are one with two names, "t_0 and t_1 differ, and t_i and t_{i+1} do"."""
+        told = 0
+        for row in LEDGER:
+            for finding in filter(None, [row["as_printed"], row["corrected"]]):
+                conditions = re.findall(r"\bwhere (.*?)(?:; |$)", finding["scope"])
+                alike = [re.sub(r"_(?:\{[^}]*\}|\\?\w)|\\(?:dot|ddot|mathbf|mathrm)\b|[′'$ {}]", "", one) for c in conditions for one in c.split(", and ")]
+                told += len(alike) > 1
+                with self.subTest(row["id"]):
+                    self.assertEqual(len(alike), len(set(alike)), finding["scope"])
+        self.assertGreater(told, 50)
+
     def test_an_argument_is_told_once(self):
         """What is argued for more cases was computed for some: "argued for n = 2 to 6; argued for every n" is never told."""
         for row in LEDGER:
@@ -134,6 +146,25 @@ class Scopes(unittest.TestCase):
                     with self.subTest(row["id"]):
                         self.assertGreater(len(finding["steps"]), 1)
                         self.assertTrue(all(step["evidence"] != "none" for step in finding["steps"]))
+
+
+class Sentences(unittest.TestCase):
+    def test_numbers_are_not_compared_with_a_condition(self):
+        """"Compared: whether it moves: -1 is negative" is no sentence: of numbers it is said what they are, of a condition that it fails."""
+        told = 0
+        for row in LEDGER:
+            waiting = [row]
+            while waiting:
+                part = waiting.pop()
+                waiting += part.values() if isinstance(part, dict) else part if isinstance(part, list) else []
+                if not isinstance(part, dict) or not isinstance(part.get("values"), list):
+                    continue
+                shown = {value["name"]: value["value"] for value in part["values"]}
+                if {"left", "negative"} & set(shown) and "compared" in shown:
+                    told += 1
+                    with self.subTest(row["id"], claim=part.get("claim")):
+                        self.assertNotRegex(shown["compared"], r"\bwhether\b")
+        self.assertGreater(told, 150)
 
 
 class Lemmas(unittest.TestCase):
