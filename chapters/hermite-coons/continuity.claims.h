@@ -264,7 +264,7 @@ CLAIM(tangent_turns_back_at_a_smooth_parameter)
     num at_h = add(mul(before[2], after[2]), mul(before[3], after[3]));
     about(T, "the product at h");
     same(T, at_h, poly_value(product, h));
-    about(T, "whether the product of the derivatives is not negative");
+    about(T, "the product of the derivatives");
     nonnegative(T, at_h);
 }
 #endif
@@ -274,7 +274,7 @@ CLAIM(tangent_turns_back_at_a_smooth_parameter)
 :title: Slope and curvature of a graph
 :zh: 函数图形的切向与曲率
 :given: any values $f'$ and $f''$ of a function
-:then: the curve $(x,f)$ with the derivatives $(1,f')$, $(0,f'')$ has $P'\times P''=f''$, $|P'|^2=1+f'^2$, so the square of its curvature is
+:then: the curve $P=(x,f)$ with the derivatives $(1,f')$, $(0,f'')$ has $P'\times P''=f''$, $|P'|^2=1+f'^2$, so the square of its curvature is
   $\frac{f''^2}{(1+f'^2)^3}$
 :method: The kernels of differential geometry; everything a variable.  The denominator is positive.
 :over: f#: derivatives
@@ -329,7 +329,7 @@ static struct G(poly) G(composed)(struct G(poly) p, num lambda, num beta)
   at 0, and any values of the derivatives there, related by $q'(0)=\lambda p'(0)$; any $c$
 :then: $u\,p+c$ and $\phi\,q+c$ have one value at $u=0$ again, and derivatives there with the factor $\lambda$
 :method: A value and its derivative are one number $v+v'\epsilon$ with $\epsilon^2=0$.  A polynomial is built by such steps from its highest coefficient on, so that
-  $q=p\circ\phi$ in the end: by induction $P(\phi(0))=P(0)$ for every degree, and the derivative is kept only for $\lambda=1$ or where it is 0.
+  $q=p\circ\phi$ in the end: by induction $q(0)=p(\phi(0))=p(0)$ for every degree, and the derivative is kept only for $\lambda=1$ or where it is 0.
 :degrees: all
 :scope: polynomial curves; every change of the parameter
 :over: p# c#: coefficients; l: -
@@ -353,7 +353,7 @@ CLAIM(end_of_a_curve_has_no_parameter)
 :::{claim} position_has_no_parameter
 :title: A change of the parameter that keeps the end keeps the point
 :zh: 参数变换不改变端点位置
-:given: a polynomial of degree $n$ with any coefficients, $\phi(u)=\lambda u+\beta u^2$
+:given: a polynomial $P$ of degree $n$ with any coefficients, $\phi(u)=\lambda u+\beta u^2$
 :then: $P(\phi(0))=P(0)$, and $(P\circ\phi)'(0)=\lambda P'(0)$: the value is kept for every $\phi$
 :method: $P\circ\phi$ is multiplied out in powers of $u$; everything a variable.
 :degrees: 1..5 sampled 8
@@ -418,7 +418,7 @@ CLAIM(halves_of_a_segment_have_one_speed)
         E[plane + c] = div(E[plane + c], length);
     found_points(T, "before", 1, plane, D + plane);
     found_points(T, "after", 1, plane, E + plane);
-    about(T, "whether their lengths differ");
+    about(T, "whether the lengths of the two derivatives differ");
     refute(T, equal_q(norm_squared_q(plane, D + plane), norm_squared_q(plane, E + plane)));
 }
 

@@ -184,7 +184,7 @@ CLAIM(blendings_without_sum_one_bend_a_ruling)
     for (int c = 0; c < 3; c++)
         P[c] = ruled_q(f, (num[]){ends[c], ends[3 + c]});
     found_points(T, "P_1(u,w)", 1, 3, P);
-    about(T, "its height and that of the line");
+    about(T, "the heights of P_1(u,w) and of the line");
     same(T, P[2], ends[2]);
 }
 #endif
@@ -549,7 +549,7 @@ CLAIM(borders_and_cross_derivatives_are_kept) { G(borders_are_kept)(T, 4); }
 :result: 0w_u = 0; u0_w = 1/8; P_u(0,w) with the first = 1/8; P_w(u,0) with the first = 1/8; P_u(0,w) with the second = 0; P_w(u,0) with the second = 0
 :given: all data 0 but the derivatives across two borders, $0w_u=\tau q_{10}(w)$ and $u0_w=\tau'q_{10}(u)$: the one asks for the twist $\tau$ at
   $u=w=0$, the other for $\tau'$, and they differ
-:then: with the first twist as $00_{uw}$ in $M$ the border $u=0$ has another derivative across it than $0w_u$; with the second the border $w=0$ has
+:then: with the first twist as $00_{uw}$ in the matrix $M$ of the corners the border $u=0$ has another derivative across it than $0w_u$; with the second the border $w=0$ has
   another than $u0_w$
 :method: The kernel at $w$ on the one border and at $u$ on the other, for both matrices.
 :control: both curves ask for one twist

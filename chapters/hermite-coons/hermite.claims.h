@@ -18,7 +18,7 @@ serves for existence and uniqueness, the system being square.
 :printed: $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$, $j=0,1,\dots,m_i-1$, is to be satisfied by a polynomial $P(t)$ of degree
   $N=m_0+m_1+\dots+m_k-1$
 :holds-by: one_more_datum_determines_one_more_coefficient a_factor_raises_the_order_of_a_zero
-:confirmed-by: hermite_interpolant_exists_and_is_unique
+:confirmed-by: hermite_interpolant_exists_and_is_unique a_factor_raises_the_order_of_a_zero
 :hypothesis: straight_data_have_no_cubic | the degree is at most $N$: of degree exactly $N$ there may be none
 :needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | the $k+1$ points $t_i$ are different
 :figure: hermite_blending_functions
@@ -30,8 +30,9 @@ serves for existence and uniqueness, the system being square.
 :title: In general the interpolating polynomial is of a high degree
 :zh: 一般 Hermite 插值多项式次数较高
 :printed: for the general problem the interpolating polynomial is in general of a rather high degree, and inconvenient to use
-:reading: hermite_interpolant_exists_and_is_unique | its degree grows with the data, by one with each value and each derivative:
-  the data of a polynomial of degree $N=m_0+\dots+m_k-1$ give it back
+:reading: one_more_datum_determines_one_more_coefficient | its degree grows with the data, by one with each value and each derivative, but for a datum that
+  the polynomial of those before has already
+:confirmed-by: hermite_interpolant_exists_and_is_unique a_factor_raises_the_order_of_a_zero
 :reading: which degree is high, and what inconvenient: the slides do not say, so that nothing is there to be decided
 :figure: hermite_blending_functions
 :::

@@ -288,7 +288,7 @@ CLAIM(cusp_has_no_equation_of_the_tangent)
     num from[plane] = {sub(Q[0], D[0]), sub(Q[1], D[1])}, left = G(cross2)(from, D + plane);
     found_points(T, "derivative", 1, plane, D + plane);
     found(T, "left side at Q", left);
-    about(T, "whether the equation is not satisfied");
+    about(T, "whether the equation of the tangent is not satisfied at Q");
     refute(T, is_zero_q(left));
 }
 #endif

@@ -482,7 +482,7 @@ CLAIM(inflected_cubic_has_second_envelope)
     G(given_curve_of_powers)(T, 3, 2, u, R, w);
     if (!G(pair_of_the_envelope)(T, 3, 2, u, 3, R, w, 1, tau, t, X))
         return;
-    about(T, "y - x³ at the point; 0 on the curve");
+    about(T, "y - x³ at the point, and on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
 }
 
@@ -513,7 +513,7 @@ CLAIM(space_quartic_has_second_envelope)
     found(T, "six times the volume of the first four points", volume);
     if (!G(pair_of_the_envelope)(T, 4, 3, u, 4, R, w, 1, tau, t, X) || is_zero_q(volume))
         return;
-    about(T, "y - x³ at the point; 0 on the curve");
+    about(T, "y - x³ at the point, and on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
 }
 #endif

@@ -169,7 +169,7 @@ but to solve these equations backwards there is one of them too few.
 :zh: 加权顶点的线性函数满足递推 (4.1.3)
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
-  points of space, two vectors, any $\tau$, every $r=2,\dots,k-1$
+  points of space, two vectors $a$, $b$, any $\tau$, every $r=2,\dots,k-1$
 :where: the weights of the levels are not 0
 :then: $(w_i^{[r-1]}r_i^{[r-1]},a,b)=(1-\alpha)(w_{i-1}^{[r-2]}r_{i-1}^{[r-2]},a,b)+\alpha(w_i^{[r-2]}r_i^{[r-2]},a,b)$,
   $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$

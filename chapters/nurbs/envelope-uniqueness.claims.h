@@ -533,7 +533,7 @@ multiplies by $w''$ what is to be shown to vanish, and for a polynomial curve $w
 :title: For equal weights the scalar product with p'' is 0 = 0
 :zh: 权相等时与 p'' 的数量积恒为零
 :kind: counterexample
-:given: the cubic curve of space $\sum a_mt^m$ as a segment over the uniform knots $t_i$, weights 1; $t$ and $\tau$
+:given: the cubic curve of space $\sum a_mt^m$ as a segment over the uniform knots $t_i$, weights 1; $t$ and $\tau$; $A=\mathbf p+\frac{\tau-t}{k-1}\mathbf p'$
 :data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0,1) (1,0,0) (0,1,0) (0,0,1); t = 0; τ = 1
 :instead: a = (0,0,0) (1,0,0) (0,1,0) (0,0,1)
 :then: the scalar product of both sides with $p''$ is satisfied, and $(\tau-t)(r',A,p'')\ne0$

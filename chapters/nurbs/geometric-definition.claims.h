@@ -293,7 +293,7 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
     found_whole(T, "r", at_level);
     found_whole(T, "i", at_index);
     found_whole(T, "least index of a point", least);
-    about(T, "all points exist");
+    about(T, "every point that the recursion asks for exists");
     agree(T, least >= 1);
 }
 #endif
@@ -453,7 +453,7 @@ CLAIM(convex_polygon_has_a_stationary_leg)
     num place = add(X[0], c);
     G(bspline_deboor)(G(on_span)(3, 2, u, compare_q(place, u[4]) < 0 ? 3 : 4, R), place, at);
     found_points(T, "point of the curve with its abscissa", 1, 2, at);
-    about(T, "the ordinates of the point and of the curve there");
+    about(T, "the ordinates of the point and of the curve at its abscissa");
     same(T, X[1], at[1]);
 }
 #endif
