@@ -149,13 +149,13 @@ CLAIM(osculating_plane_meets_the_origin_once)
 :printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$ means that these
   $\mathbf r_i$ are coplanar, so that the family is one of plane curves
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
-  points_are_polar_values_of_the_segment
+  points_are_polar_values_of_the_segment member_of_span_is_polar
 :needs: vanishing_curvature_says_nothing_about_the_points | the sentence is about the whole span | the condition holds for all
   $t$ of the span; at one $t$, which is what the alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf
   r''=0$ there
 :argued: | If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all $t$, the slopes $y'/x'$ and $z'/x'$ have the
   derivative 0 and are constant, the segment is straight, and so its points are on a line; where $x'=0$ for all $t$ another coordinate takes the place of $x$, and where
-  none does the segment is a point.
+  none does the segment is a point.  A plane that has the points has the polar form of the segment, and so every member.
 :figure: points_off_the_plane
 :::
 

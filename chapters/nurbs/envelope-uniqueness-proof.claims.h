@@ -89,8 +89,8 @@ CLAIM(superscript_of_the_order_gives_another_product)
   being in a plane through the origin and its points with it, but not by linear independence | The Wronskian of the coordinates
   of the member is 0 for all $t$, so they are linearly dependent.
 :meant: the sentence, which begins with the sum | The first: at one pair $(t,\tau)$, from the sum.
-:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
-  whatever the points are
+:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors, with $\mathbf r^{[k-r+1]}(t,\tau)$ for $\mathbf r^{[r-1]}(t,\tau)$ as in
+  `thm-4.3.3-alternatives`, is 0, so each term is 0, whatever the points are
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
@@ -225,13 +225,13 @@ CLAIM(weighted_points_follow_the_recursion)
   the osculating plane of the curve, so that the Wronskian of the coordinates of the curve is 0 for all $t$; the plane has the
   control points, and so every member.
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
-:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
-  are 0 on every level
+:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors, with $\mathbf r^{[k-r+1]}(t,\tau)$ for $\mathbf r^{[r-1]}(t,\tau)$ as in
+  `thm-4.3.3-alternatives`, is 0, so the products are 0 on every level
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
 
-No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.
+No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.  The examples, too, have the member of level $r-1$ for $\mathbf r^{[r-1]}(t,\tau)$.
 :::
 */
 
@@ -282,6 +282,9 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :argued: | Either one pair of the last two factors is independent, and their normal is common to all points, or every member is straight, since its
   slopes have the derivative 0; then $\mathbf r'\times\mathbf r''$, of which $R'\times R''$ at $\tau=t$ is a multiple, is 0 for all $t$, and the segment is straight.
 :figure: nurbs_envelope_space
+
+The products are those of $w_i\mathbf r_i$ with $\partial_tR$ and $\partial_t^2R$, $R=\mathbf r^{[k-r+1]}(t,\tau)$ being the member of the level before, as in
+`thm-4.3.3-alternatives`.
 :::
 
 What is left is the conclusion from vanishing products to coplanar points.  At a pair with another solution the member
