@@ -769,7 +769,7 @@ corners arise.
   one sign, and $\det(Q,Q',Q'')\ne0$.
 :degrees: 2..4 sampled 5
 :scope: every pattern of the knots of a span up to order 4, three above; the gaps of the knots variables up to order 4, numbers above
-:where: the weights are positive
+:where: the weights are positive and $t$, $\tau$ in one span
 :over: P#: homogeneous points; y#: ratios in which the parameters divide the span; x#: -
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::
