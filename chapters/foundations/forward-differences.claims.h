@@ -628,7 +628,7 @@ CLAIM(other_steps_need_multiplications)
     struct operations step = cost_of_step(T, given_whole(T, "n"), 1, 1, fault(T, 1, 0));
     found_whole(T, "products of the table", of_table);
     found_whole(T, "products of the step", step.multiplications);
-    about(T, "that the table or the step has no multiplication");
+    about(T, "the table or the step has no multiplication");
     agree(T, of_table == 0 || step.multiplications == 0);
 }
 #endif

@@ -62,7 +62,7 @@ CLAIM(continuous_slope_with_another_speed)
     found_points(T, "P_I(1), P_I'(1)", 2, 2, D);
     found_points(T, "P_II(0), P_II'(0)", 2, 2, E);
     int smooth = same_point(D, E) && is_zero_q(div(D[3], D[2])) && is_zero_q(div(E[3], E[2]));
-    about(T, "position and slope being the same, whether the derivatives are");
+    about(T, "position and slope being the same, whether the derivatives are the same");
     refute(T, smooth && !equal_q(D[2], E[2]));
 }
 #endif
@@ -165,8 +165,8 @@ CLAIM(joined_pieces_are_not_closed)
 :given: $P,P',P''$ of the first piece at the joint, $\lambda>0$, any $\beta$; $P_{\mathrm{II}}$ with $P$, $\lambda P'$,
   $\lambda^2P''+\beta P'$ and any third derivative
 :where: $\lambda>0$
-:then: $Q(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $Q(0)=P$, $Q'(0)=P'$, $Q''(0)=P''$
-:method: $Q$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
+:then: $S(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $S(0)=P$, $S'(0)=P'$, $S''(0)=P''$
+:method: $S$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
   variable.
 :types: field
 :over: p#: points; v# w# z#: derivatives; l: λ; b: β; u

@@ -313,6 +313,42 @@ CLAIM(horner_step_keeps_the_sum)
 }
 
 /*
+The same step keeps a bound, so that over the unit interval a polynomial is never greater than its coefficients together.
+
+:::{claim} one_factor_and_one_term_keep_a_bound
+:title: Over the unit interval a polynomial is bounded by its coefficients, in every degree
+:zh: 单位区间上多项式以系数绝对值之和为界
+:given: $-M\le q\le M$ and $-C\le c\le C$, any numbers; $0\le t\le1$
+:harmless: $-M\le q\le M$ and $-C\le c\le C$ | $M$ is the bound of the polynomial of one degree less, $C$ the absolute value of $c$
+:harmless: $0\le t\le1$ | the interval of the statement
+:then: $-(M+C)\le tq+c\le M+C$
+:method: $M-q$, $M+q$, $C-c$, $C+c$ are variables, which are positive, and $M+C-(tq+c)=(1-t)M+t(M-q)+(C-c)$, likewise with the other sign; signs of coefficients for
+  $t=\frac s{1+s}$, $s>0$, and once more at $t=0$ and $t=1$.  A constant
+  $c_n$ has the bound $|c_n|$, and a polynomial is built from it by $p\mapsto tp+c_k$: so by induction $|p(t)|\le\sum_k|c_k|$ for every degree.
+:degrees: all
+:over: a b d e: -; s: -
+:types: field rational
+:control: the share $(1-t)M$ left out
+:::
+*/
+CLAIM(one_factor_and_one_term_keep_a_bound)
+{
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), d = positive(T, "d", 0), e = positive(T, "e", 0);
+    num two = from_int(2), M = div(add(a, b), two), q = div(sub(b, a), two); /* M - q = a, M + q = b */
+    num C = div(add(d, e), two), c = div(sub(e, d), two);                    /* C - c = d, C + c = e */
+    num t[3] = {inside(T, "s"), from_int(0), from_int(1)}, bound = add(M, C);
+    for (int k = 0; k < 3; k++) {
+        num value = add(mul(t[k], q), c), kept = mul(sub(from_int(1), fault(T, t[k], from_int(1))), M);
+        for (int sign = -1; sign <= 1; sign += 2) {
+            num room = add(bound, mul(from_int(sign), value));
+            about(T, sign < 0 ? "below the bound" : "above the bound with the other sign");
+            nonnegative(T, room);
+            same(T, room, add(kept, add(mul(t[k], sign < 0 ? a : b), sign < 0 ? d : e)));
+        }
+    }
+}
+
+/*
 :::{claim} horner_computes_the_sum_of_powers
 :title: Horner's rule computes the point of the curve
 :zh: 秦九韶算法求曲线上的点

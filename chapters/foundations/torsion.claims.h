@@ -17,16 +17,17 @@ torsion is a single number, which vanishes exactly when the cubic is plane.
 :class: misprint
 :corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$
 :corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
+:hypothesis: torsion_divides_by_zero_at_an_inflection | $\dot P\times\ddot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: derivatives_with_lost_dots
 :::
 
 :::{claim} torsion_by_speed_and_curvature
 :title: The torsion by speed and curvature
 :zh: 用速率与曲率表示挠率
-:given: any three vectors $P',P'',P'''$ of space, $P'\times P''\ne0$
-:where: $P'\times P''\ne0$
-:then: $\frac{(P',P'',P''')}{\dot s^6K^2}=\frac{(P',P'',P''')}{|P'\times P''|^2}$, the torsion, with $\dot s^2=|P'|^2$ and
-  $K^2=\frac{|P'\times P''|^2}{|P'|^6}$
+:given: any three vectors $\dot P,\ddot P,\dddot P$ of space, $\dot P\times\ddot P\ne0$
+:where: $\dot P\times\ddot P\ne0$
+:then: $\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}=\frac{[\dot P\,\ddot P\,\dddot P]}{|\dot P\times\ddot P|^2}$, the torsion, with $\dot s^2=|\dot P|^2$ and
+  $K^2=\frac{|\dot P\times\ddot P|^2}{|\dot P|^6}$
 :method: The kernels for the square of the curvature and for the torsion, everything a variable.
 :over: u# v# w#: derivatives
 :control: $\dot s^4$
@@ -86,6 +87,33 @@ CLAIM(printed_vectors_have_no_torsion)
 }
 
 /*
+:::{claim} torsion_divides_by_zero_at_an_inflection
+:title: At an inflection the formula of the torsion divides by 0
+:zh: 拐点处挠率公式分母为零
+:kind: counterexample
+:given: the cubic $P(t)=\sum_kc_kt^k$ in space, and $t$, the parameter of an inflection
+:data: c = (0,0,0) (1,0,0) (0,0,0) (0,1,0); t = 0
+:instead: c = (0,0,0) (1,0,0) (0,1,0) (0,0,1)
+:then: $P'$ is not 0, and the divisor $|P'\times P''|^2$ of the torsion is 0
+:result: |P'|^2 = 1; |P' x P''|^2 = 0
+:method: The derivatives by the kernel; that the divisor is not 0 is refuted.
+:control: a cubic that turns at $t$
+:::
+*/
+CLAIM(torsion_divides_by_zero_at_an_inflection)
+{
+    num c[12], D[9], normal[space];
+    given_points(T, "c", 4, 3, c);
+    G(power_derivatives)(3, space, c, given(T, "t"), 2, D);
+    G(cross3)(D + 3, D + 6, normal);
+    num speed = G(norm_squared)(space, D + 3), divisor = G(norm_squared)(space, normal);
+    found(T, "|P'|^2", speed);
+    found(T, "|P' x P''|^2", divisor);
+    about(T, "whether the divisor is not 0");
+    refute(T, !is_zero_q(speed) && is_zero_q(divisor));
+}
+
+/*
 Two misprints overlap in the one formula of the source, and each has to be refuted with the other one mended.  A mixed
 product with one vector twice is 0 for every curve.  The power of the speed shows only where the speed is not 1, so a
 curve has to be taken at a place where it is not; there one sees that the sixth power is right and the third is not.
@@ -98,6 +126,7 @@ curve has to be taken at a place where it is not; there one sees that the sixth 
 :class: misprint
 :corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$
 :corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
+:hypothesis: torsion_divides_by_zero_at_an_inflection | $\dot P\times\ddot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: torsion_and_the_speed
 
 The formula is read with $\dddot P$ in the last place and $\dot s$ below, so that the power alone is tried.
@@ -162,7 +191,7 @@ static void G(rows_in_coefficients)(const num c[], num t, int power_of_last, num
 :::{claim} determinant_of_the_derivatives_is_constant
 :title: The determinant of the three derivatives does not depend on the parameter
 :zh: 三阶导矢行列式为常数
-:given: any cubic in space, any $t$
+:given: any cubic $P(t)=At^3+Bt^2+Ct+D$ in space, any $t$
 :then: $(P',P'',P''')=-12\,(A,B,C)$, also with the rows written out in coefficients
 :method: The derivatives by the kernel, the mixed products as determinants of 9 entries, everything a variable.
 :over: x# y# z#: coefficients
@@ -277,7 +306,7 @@ three powers of the parameter one by one, so when the determinant vanishes $P(t)
 :::{claim} cubic_is_plane_when_determinant_vanishes
 :title: The cubic is plane exactly when the determinant of its coefficients is zero
 :zh: 平面曲线的充要条件
-:given: any cubic in space, any $t$
+:given: any cubic $P(t)=At^3+Bt^2+Ct+D$ in space, any $t$
 :then: $(A\times B)\cdot(P-D)=t\,(A,B,C)$, $(C\times A)\cdot(P-D)=t^2(A,B,C)$, $(B\times C)\cdot(P-D)=t^3(A,B,C)$;
   $A\times(P-D)=t^2A\times B-t\,C\times A$, $B\times(P-D)=t\,B\times C-t^3A\times B$, $C\times(P-D)=t^3C\times A-t^2B\times C$; and for any vector $n$,
   $(A,B,C)\,n=(n\cdot A)\,B\times C+(n\cdot B)\,C\times A+(n\cdot C)\,A\times B$

@@ -29,12 +29,14 @@ being continuous, one that has their limits without being continuous itself.
   at $x_0$, or continuous of order $k$, $C^k$.
 :holds-by: a_factor_raises_the_order_of_a_zero
 :confirmed-by: equal_derivatives_leave_a_power
+:argued: | On either side $f,f',\dots,f^{(k)}$ tend to their values at $x_0$.  Where the left and the right derivatives are equal there is one derivative, order
+  by order, and it tends to one value from both sides, so that it is continuous at $x_0$.  The claim is about polynomials alone: two that are joined so may be any
+  two whose difference has the factor $(x-x_0)^{k+1}$.
 :hypothesis: equal_derivatives_are_not_continuous | on either side the function has $k$ continuous derivatives up to $x_0$; as
   pieces that are polynomials have
 :hypothesis: equal_limits_do_not_make_a_continuous_function | the values are counted as the derivatives of order 0
 :figure: differentiable_without_continuity
 
-Two polynomials with these equalities differ by a multiple of $(x-x_0)^{k+1}$.
 Read with difference quotients from either side, the condition says that $f$ is differentiable at $x_0$, and not that $f'$ is continuous
 there;
 read with limits of $f',\dots,f^{(k)}$ from either side it does not even say that $f$ is continuous.
@@ -236,7 +238,7 @@ CLAIM(upright_tangent_is_continuous_and_not_c1)
 :instead: c = (0,0) (1,0) (0,1) (1,0)
 :result: P'(-h) = (3/1000000,-1/500); P'(h) = (3/1000000,1/500); P'(-s) P'(s) = "9*s^4 - 4*s^2"
 :given: the cubic $P(t)=\sum_kc_kt^k=(t^3,t^2)$, which has continuous derivatives of every order, and a small $h$
-:then: $P'(-h)\cdot P'(h)<0$; the product is a polynomial in $h$ whose term of the lowest degree is negative, so that however near to the origin the
+:then: $P'(-h)\cdot P'(h)<0$; at any $s$ the product $P'(-s)\cdot P'(s)$ is a polynomial in $s$ whose term of the lowest degree is negative, so that however near to the origin the
   tangents before and after make an obtuse angle
 :method: The derivatives by the power kernel at $h$; that their product is not negative is refuted.  The product at every $s$ by the
   coefficients.
@@ -262,7 +264,7 @@ CLAIM(tangent_turns_back_at_a_smooth_parameter)
     num at_h = add(mul(before[2], after[2]), mul(before[3], after[3]));
     about(T, "the product at h");
     same(T, at_h, poly_value(product, h));
-    about(T, "whether the product of the derivatives is not negative");
+    about(T, "the product of the derivatives");
     nonnegative(T, at_h);
 }
 #endif
@@ -272,7 +274,7 @@ CLAIM(tangent_turns_back_at_a_smooth_parameter)
 :title: Slope and curvature of a graph
 :zh: 函数图形的切向与曲率
 :given: any values $f'$ and $f''$ of a function
-:then: the curve $(x,f)$ with the derivatives $(1,f')$, $(0,f'')$ has $P'\times P''=f''$, $|P'|^2=1+f'^2$, so the square of its curvature is
+:then: the curve $P=(x,f)$ with the derivatives $(1,f')$, $(0,f'')$ has $P'\times P''=f''$, $|P'|^2=1+f'^2$, so the square of its curvature is
   $\frac{f''^2}{(1+f'^2)^3}$
 :method: The kernels of differential geometry; everything a variable.  The denominator is positive.
 :over: f#: derivatives
@@ -327,7 +329,7 @@ static struct G(poly) G(composed)(struct G(poly) p, num lambda, num beta)
   at 0, and any values of the derivatives there, related by $q'(0)=\lambda p'(0)$; any $c$
 :then: $u\,p+c$ and $\phi\,q+c$ have one value at $u=0$ again, and derivatives there with the factor $\lambda$
 :method: A value and its derivative are one number $v+v'\epsilon$ with $\epsilon^2=0$.  A polynomial is built by such steps from its highest coefficient on, so that
-  $q=p\circ\phi$ in the end: by induction $P(\phi(0))=P(0)$ for every degree, and the derivative is kept only for $\lambda=1$ or where it is 0.
+  $q=p\circ\phi$ in the end: by induction $q(0)=p(\phi(0))=p(0)$ for every degree, and the derivative is kept only for $\lambda=1$ or where it is 0.
 :degrees: all
 :scope: polynomial curves; every change of the parameter
 :over: p# c#: coefficients; l: -
@@ -351,7 +353,7 @@ CLAIM(end_of_a_curve_has_no_parameter)
 :::{claim} position_has_no_parameter
 :title: A change of the parameter that keeps the end keeps the point
 :zh: 参数变换不改变端点位置
-:given: a polynomial of degree $n$ with any coefficients, $\phi(u)=\lambda u+\beta u^2$
+:given: a polynomial $P$ of degree $n$ with any coefficients, $\phi(u)=\lambda u+\beta u^2$
 :then: $P(\phi(0))=P(0)$, and $(P\circ\phi)'(0)=\lambda P'(0)$: the value is kept for every $\phi$
 :method: $P\circ\phi$ is multiplied out in powers of $u$; everything a variable.
 :degrees: 1..5 sampled 8
@@ -416,7 +418,7 @@ CLAIM(halves_of_a_segment_have_one_speed)
         E[plane + c] = div(E[plane + c], length);
     found_points(T, "before", 1, plane, D + plane);
     found_points(T, "after", 1, plane, E + plane);
-    about(T, "whether their lengths differ");
+    about(T, "whether the lengths of the two derivatives differ");
     refute(T, equal_q(norm_squared_q(plane, D + plane), norm_squared_q(plane, E + plane)));
 }
 
@@ -431,7 +433,8 @@ part along the tangent may be added.  Each of the four readings of the printed s
 :printed: $G^2$ means that the first and the second derivatives of the two segments are proportional at the joint.
 :refuted-by: proportional_derivatives_with_another_curvature one_factor_for_both_derivatives smooth_curve_without_proportional_derivatives proportional_derivatives_by_arc_length
 :class: false
-:corrected: $Q'=\lambda P'$ and $Q''=\lambda^2P''+\beta P'$ with $\lambda>0$ and any $\beta$, $P'\ne0$
+:corrected: $\dot P_{\mathrm{II}}=\lambda\dot P_{\mathrm I}$ and $\ddot P_{\mathrm{II}}=\lambda^2\ddot P_{\mathrm I}+\beta\dot P_{\mathrm I}$ at the joint of the segments $P_{\mathrm I}$
+  and $P_{\mathrm{II}}$, with $\lambda>0$ and any $\beta$, $\dot P_{\mathrm I}\ne0$
 :corrected-by: conditions_make_one_curve_in_another_parameter condition_keeps_the_curvature_vector curvature_vector_forces_the_condition
   second_derivative_splits_along_the_first
 :figure: proportional_derivatives

@@ -37,7 +37,7 @@ struct G(corner) {
 :title: The four cubics have the data of the corners at their ends, and are q(u) M
 :zh: 四条 Hermite 三次边界取角点数据
 :given: points, tangents and twists of the four corners; the printed sums with $q_{00},q_{01},q_{10},q_{11}$, for $u$ and for $w$
-:let: $M$ be the matrix with the rows $(00,01,00_w,01_w)$, $(10,11,10_w,11_w)$, $(00_u,01_u,00_{uw},01_{uw})$, $(10_u,11_u,10_{uw},11_{uw})$
+:let: $q=[q_{00}\;q_{01}\;q_{10}\;q_{11}]$; $M$ be the matrix with the rows $(00,01,00_w,01_w)$, $(10,11,10_w,11_w)$, $(00_u,01_u,00_{uw},01_{uw})$, $(10_u,11_u,10_{uw},11_{uw})$
 :then: $u0$, $u1$, $u0_w$ and $u1_w$ have at $u=0$ and $u=1$ the given values and the given derivatives, and are the entries of $q(u)M$;
   $0w$, $1w$, $0w_u$ and $1w_u$ have theirs at $w=0$ and $w=1$, and are the entries of $Mq(w)^T$
 :method: The sums are formed from the data by their names, as polynomials with the functions $q$ multiplied out from their factors;
@@ -121,6 +121,7 @@ static void G(any_corners)(trial *T, num M[16])
 :::{claim} cubic_frame_of_corners_gives_the_product
 :title: The Boolean sum over a frame of Hermite cubics is q(u) M q(w)
 :zh: Hermite 边框的布尔和为张量积
+:let: $q=[q_{00}\;q_{01}\;q_{10}\;q_{11}]$, $U=[u^3\;u^2\;u\;1]$, $W=[w^3\;w^2\;w\;1]$, and $H$ the matrix whose columns are the coefficients of the functions $q$
 :given: any $M$, $u$, $w$; the frame computed from $M$, $[u0\;u1\;u0_w\;u1_w]=q(u)M$ and the column of $0w,1w,0w_u,1w_u$ as $Mq(w)^T$
 :then: all three terms of the patch are $q(u)Mq(w)^T$, so the patch is; it is also $UHMH^TW^T$
 :method: The frame with the functions $q$ multiplied out from their factors, the patch by `coons_patch`, the product by the printed
@@ -176,6 +177,7 @@ In the text at hand $H$ has no signs; of all choices of them the one shown is th
 :title: The kernel gives every derivative of the product, and at the corners the sixteen data
 :zh: 张量积曲面的各阶偏导与角点数据
 :given: any $M$, $u$, $w$, orders 0 to 3 in $u$ and in $w$
+:let: $U=[u^3\;u^2\;u\;1]$, $W=[w^3\;w^2\;w\;1]$, and $H$ the matrix whose columns are the coefficients of the four functions $q$
 :then: `hermite_tensor` is the derivative of $UHMH^TW^T$; its values, first derivatives and twists at the corners are $M$
 :method: The sixteen coefficients $HMH^T$ and the derivatives of the powers; everything variable.
 :defines: hermite_tensor
@@ -219,7 +221,7 @@ must come out.  That it holds with several choices is due to symmetries: where a
 :holds-by: signs_of_the_worked_patch
 :figure: worked_patch
 
-In the text at hand the six matrices have no signs: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$ has the printed absolute
+In the text at hand the six matrices have no signs: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$, $H$ being that of `3-product`, has the printed absolute
 values.  Those for $x$ differ by the sign of all derivatives with respect to $w$, the twists among them.  In $z$ the sign of the tangents along
 $w$ and that of the twists are free; in $y$ that of the tangents along $u$ and that of the twists.
 :::
@@ -239,7 +241,7 @@ $w$ and that of the twists are free; in $y$ that of the tangents along $u$ and t
 :instead: |C_z| = 0 0 0 0 0 0 1 0 0 1 1 0 2 3 1 0
 :given: the absolute values of the three corner matrices $M$ and of the three matrices $C$ of coefficients, row by row, in units of three quarters; the
   coordinates of the corners are not negative, as printed; all choices of the other signs; for each of $x$, $y$, $z$ two of the blocks of $M$, of which block 1 has
-  the tangents along $u$, 2 those along $w$, 3 the twists
+  the tangents along $u$, 2 those along $w$, 3 the twists; $H$, whose columns are the coefficients of the four functions $q$
 :then: $|HMH^T|$ is the printed matrix for exactly as many choices of the free signs as are given for $x$, $y$ and $z$; from one that fits the others
   are found by changing the signs of whole blocks: for $x$ of both together, for $y$ and $z$ of either
 :method: All choices, in integers; each that fits once more with the signs of its blocks changed.

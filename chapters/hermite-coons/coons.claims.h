@@ -184,7 +184,7 @@ CLAIM(blendings_without_sum_one_bend_a_ruling)
     for (int c = 0; c < 3; c++)
         P[c] = ruled_q(f, (num[]){ends[c], ends[3 + c]});
     found_points(T, "P_1(u,w)", 1, 3, P);
-    about(T, "its height and that of the line");
+    about(T, "the heights of P_1(u,w) and of the line");
     same(T, P[2], ends[2]);
 }
 #endif
@@ -271,6 +271,7 @@ $P_3$ is what $P_1$ is on the borders $w=0,1$, and $P_2$ on the borders $u=0,1$.
 :then: $P_s-P_3$ is the border curve on each of the four borders; for $u=0,1$ it is $P_2$, for $w=0,1$ it is $P_1$ that equals $P_3$
 :method: On a border one pair of blending functions has its values at the end, and the curves across are at corners; the values of the
   other pair and of the border curve are variables.
+:scope: the four borders
 :over: f#: blending functions; x#: border curves; m#: corners
 :control: $f_0$ and $f_1$ exchanged in $P_2$
 :::
@@ -526,11 +527,11 @@ In the text at hand the sums of products have no signs; with those shown here th
 :::{claim} borders_and_cross_derivatives_are_kept
 :title: The patch keeps curves and derivatives across when the data agree at the corners
 :zh: 曲面保持边界与跨界切向量
-:given: any matrix $M$; on a border any values of its curve, of its derivative across, and of the four functions along it
+:given: any matrix $M$; on a border any values of its curve, of its derivative across, and of the four functions along it; across it the four functions have the
+  values and derivatives of the unit matrix
 :then: on all four borders the value of the patch and its derivative across are the given ones
 :method: At $u=0$ and $u=1$ the values and the derivatives of the four functions are rows of the unit matrix, and what
   runs across has its values and derivatives in $M$; at $w=0$ and $w=1$ the same, run as well.  No other property is used.
-:where: the four functions have at the ends the values and derivatives of the unit matrix
 :over: m#: corner data; x#: border data; f#: blending functions
 :control: one twist differs between the curve and $M$
 :::
@@ -548,7 +549,7 @@ CLAIM(borders_and_cross_derivatives_are_kept) { G(borders_are_kept)(T, 4); }
 :result: 0w_u = 0; u0_w = 1/8; P_u(0,w) with the first = 1/8; P_w(u,0) with the first = 1/8; P_u(0,w) with the second = 0; P_w(u,0) with the second = 0
 :given: all data 0 but the derivatives across two borders, $0w_u=\tau q_{10}(w)$ and $u0_w=\tau'q_{10}(u)$: the one asks for the twist $\tau$ at
   $u=w=0$, the other for $\tau'$, and they differ
-:then: with the first twist as $00_{uw}$ in $M$ the border $u=0$ has another derivative across it than $0w_u$; with the second the border $w=0$ has
+:then: with the first twist as $00_{uw}$ in the matrix $M$ of the corners the border $u=0$ has another derivative across it than $0w_u$; with the second the border $w=0$ has
   another than $u0_w$
 :method: The kernel at $w$ on the one border and at $u$ on the other, for both matrices.
 :control: both curves ask for one twist

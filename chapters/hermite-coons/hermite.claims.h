@@ -18,7 +18,7 @@ serves for existence and uniqueness, the system being square.
 :printed: $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$, $j=0,1,\dots,m_i-1$, is to be satisfied by a polynomial $P(t)$ of degree
   $N=m_0+m_1+\dots+m_k-1$
 :holds-by: one_more_datum_determines_one_more_coefficient a_factor_raises_the_order_of_a_zero
-:confirmed-by: hermite_interpolant_exists_and_is_unique
+:confirmed-by: hermite_interpolant_exists_and_is_unique a_factor_raises_the_order_of_a_zero
 :hypothesis: straight_data_have_no_cubic | the degree is at most $N$: of degree exactly $N$ there may be none
 :needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | the $k+1$ points $t_i$ are different
 :figure: hermite_blending_functions
@@ -30,8 +30,9 @@ serves for existence and uniqueness, the system being square.
 :title: In general the interpolating polynomial is of a high degree
 :zh: 一般 Hermite 插值多项式次数较高
 :printed: for the general problem the interpolating polynomial is in general of a rather high degree, and inconvenient to use
-:reading: hermite_interpolant_exists_and_is_unique | its degree grows with the data, by one with each value and each derivative:
-  the data of a polynomial of degree $N=m_0+\dots+m_k-1$ give it back
+:reading: one_more_datum_determines_one_more_coefficient | its degree grows with the data, by one with each value and each derivative, but for a datum that
+  the polynomial of those before has already
+:confirmed-by: hermite_interpolant_exists_and_is_unique a_factor_raises_the_order_of_a_zero
 :reading: which degree is high, and what inconvenient: the slides do not say, so that nothing is there to be decided
 :figure: hermite_blending_functions
 :::
@@ -695,7 +696,7 @@ shown here are true.
 :given: $t_0<t_1$, any data, any $u$, $t=t_0+(t_1-t_0)u$
 :harmless: $t_0<t_1$ | the identities are those of two different nodes, in any order
 :then: the printed functions of $t$ are those of $u$ in all three forms, and the sum with the derivatives times $t_1-t_0$ is the
-  interpolating cubic
+  interpolating cubic; as a function of $u$ it has at $u=0$ and $u=1$ the values $f(t_0)$, $f(t_1)$ and the derivatives $f'(t_0)(t_1-t_0)$, $f'(t_1)(t_1-t_0)$
 :method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
 :over: t# h#: different nodes; f#: data
 :control: the derivatives not multiplied by the length
@@ -711,21 +712,27 @@ CLAIM(unit_blending_functions)
                 add(sub(uuu, mul(two, uu)), u), sub(uuu, uu)};
     num factored[4] = {mul(mul(v, v), add(mul(two, u), one)), mul(uu, sub(from_int(3), mul(two, u))), mul(u, mul(v, v)),
                        mul(uu, v)};
-    num cubic = from_int(0);
+    num cubic = from_int(0), scaled[4];
+    struct G(poly) of_u = G(constant)(from_int(0)); /* the sum as a polynomial in u, by the columns of the matrix */
     for (int i = 0; i < 4; i++) {
-        struct G(poly) g = G(printed_blending)(t0, t1, i);
+        struct G(poly) g = G(printed_blending)(t0, t1, i), in_u = {.n = 3};
         num scale = fault(T, i < 2 ? one : length, one), power = one, column = from_int(0);
         about(T, "the functions");
         same(T, G(at)(g, 0, t), q[i]);
         same(T, factored[i], q[i]);
-        for (int k = 0; k < 4; k++, power = mul(power, u))
-            column = add(column, mul(from_int(G(printed_matrix)(3 - k, i)), power));
+        for (int k = 0; k < 4; k++, power = mul(power, u)) {
+            in_u.c[k] = from_int(G(printed_matrix)(3 - k, i));
+            column = add(column, mul(in_u.c[k], power));
+        }
         same(T, column, q[i]);
+        scaled[i] = mul(i < 2 ? one : length, data[i]);
+        of_u = G(plus)(of_u, G(times)(G(constant)(mul(scale, data[i])), in_u));
         sum = add(sum, mul(mul(scale, data[i]), q[i]));
         cubic = add(cubic, mul(data[i], G(at)(G(printed_term)(t0, t1, i), 0, t)));
     }
     about(T, "the curve");
     same(T, sum, cubic);
+    G(osculates)(T, of_u, from_int(0), one, scaled);
 }
 
 /*

@@ -149,7 +149,7 @@ an equation without a parameter.
 :title: Complicated shapes without a parameter
 :zh: 难以灵活地构造复杂的曲线、曲面
 :printed: Without a parameter it is hard to construct complicated curves and surfaces flexibly.
-:reading: parametric_cubic_crosses_itself | hard is what an equation $y=f(x)$ cannot do at all: a curve that crosses itself has
+:reading: parametric_cubic_crosses_itself | hard is what an equation $y=f(x)$ cannot do at all: there is a curve, which crosses itself, that has
   none
 :confirmed-by: nodal_cubic_has_an_equation
 :reading: what else is hard, and which curves and surfaces are complicated: an opinion, which no computation decides
@@ -190,25 +190,30 @@ CLAIM(nodal_cubic_has_an_equation)
 
 /*
 :::{claim} parametric_cubic_crosses_itself
-:title: A parametric cubic crosses itself, which no graph does
+:title: A parametric cubic crosses itself and is no graph
 :zh: 参数三次曲线可自交
 :kind: decision
-:data: c = (-1,0) (0,-1) (1,0) (0,1); t = -1 1
+:data: c = (-1,0) (0,-1) (1,0) (0,1); t = -1 1; s = -1/2 1/2
 :instead: c = (-1,0) (1,-1) (0,0) (0,1)
-:result: P = (0,0) (0,0); P' = (-2,2) (2,2)
-:given: the cubic $P(t)=\sum_kc_kt^k$ and two parameters $t$
-:then: there $P$ is twice the same point, and the two derivatives are not parallel
+:result: P = (0,0) (0,0); P' = (-2,2) (2,2); points at s = (-3/4,3/8) (-3/4,-3/8)
+:given: the cubic $P(t)=\sum_kc_kt^k$, two parameters $t$ and two others, $s$
+:then: at the $t$ the curve $P$ is twice the same point, and the two derivatives are not parallel; at the $s$ it has two points with one $x$ and two
+  different $y$, so that no $y=f(x)$ contains it
 :method: Points and derivatives by the power kernel, the determinant of the derivatives.
 :control: a cubic whose $x$ increases with $t$
 :::
 */
 CLAIM(parametric_cubic_crosses_itself)
 {
-    num c[4 * plane], t[2], D[2][2 * plane];
+    num c[4 * plane], t[2], s[2], D[2][2 * plane], above[2 * plane];
     given_points(T, "c", 4, plane, c);
     given_points(T, "t", 2, 1, t);
-    for (int k = 0; k < 2; k++)
+    given_points(T, "s", 2, 1, s);
+    for (int k = 0; k < 2; k++) {
         G(power_derivatives)(3, plane, c, t[k], 1, D[k]);
+        G(power_point)(3, plane, c, s[k], above + k * plane);
+    }
+    found_points(T, "points at s", 2, plane, above);
     found_points(T, "P", 2, plane, (num[]){D[0][0], D[0][1], D[1][0], D[1][1]});
     found_points(T, "P'", 2, plane, (num[]){D[0][2], D[0][3], D[1][2], D[1][3]});
     about(T, "the two points");
@@ -216,6 +221,8 @@ CLAIM(parametric_cubic_crosses_itself)
     same(T, D[0][1], D[1][1]);
     about(T, "whether the derivatives are not parallel");
     agree(T, !is_zero_q(G(cross2)(D[0] + plane, D[1] + plane)));
+    about(T, "whether the two points at s have one x and two y");
+    agree(T, equal_q(above[0], above[plane]) && !equal_q(above[1], above[plane + 1]));
 }
 #endif
 
@@ -281,13 +288,12 @@ CLAIM(cusp_has_no_equation_of_the_tangent)
     num from[plane] = {sub(Q[0], D[0]), sub(Q[1], D[1])}, left = G(cross2)(from, D + plane);
     found_points(T, "derivative", 1, plane, D + plane);
     found(T, "left side at Q", left);
-    about(T, "whether the equation is not satisfied");
+    about(T, "whether the equation of the tangent is not satisfied at Q");
     refute(T, is_zero_q(left));
 }
 #endif
 
 /*
-
 In space one equation is a surface, and two are needed.  The slides think of cylinders, each over a projection of the curve to a plane of two
 axes.  Every point of the curve is on both; the question is what else is.  For two graphs over one axis nothing else is.  For an ellipse and two
 of its cylinders, and for a circle that is tilted against all three axes and any two of them, there is a second curve.
@@ -619,7 +625,6 @@ CLAIM(maps_of_the_equations_are_one_matrix)
 }
 
 /*
-
 :::{statement} slides-ch4:1-freedom
 :title: More freedom for the shape
 :zh: 参数形式自由度更大
@@ -681,11 +686,11 @@ CLAIM(another_coordinate_changes_no_other)
 :title: Over the unit interval the coordinates are bounded
 :zh: 规格化参数使几何分量有界
 :printed: With $t\in[0,1]$ the coordinates are bounded, and no further parameters are needed to mark the border.
-:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:holds-by: one_factor_and_one_term_keep_a_bound
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :hypothesis: quotient_with_a_pole_is_unbounded | the functions are polynomials: quotients of polynomials may have a pole in $[0,1]$
 
-For a polynomial the bound is that of its Bernstein coefficients: the value is an average of them.
+A bound of a polynomial is the sum of the absolute values of its coefficients, and the borders are at $t=0$ and $t=1$.
 :::
 */
 
@@ -717,7 +722,6 @@ CLAIM(quotient_with_a_pole_is_unbounded)
 #endif
 
 /*
-
 :::{statement} slides-ch4:1-part
 :title: A part of a curve or of a surface
 :zh: 用参数范围界定曲线或曲面的一部分
@@ -728,7 +732,6 @@ CLAIM(quotient_with_a_pole_is_unbounded)
   ranges mark off, of a surface a rectangle of its two parameters.
 :reading: range_of_parameters_marks_a_part | ranges mark off a part
 :reading: triangle_of_parameters_is_no_rectangle | every part can be marked off by ranges
-
 :::
 
 :::{claim} range_of_parameters_marks_a_part
@@ -800,7 +803,6 @@ CLAIM(triangle_of_parameters_is_no_rectangle)
 #endif
 
 /*
-
 :::{statement} slides-ch4:1-pieces
 :title: Pieces that are joined smoothly
 :zh: 便于分段、分片描述与光顺连接

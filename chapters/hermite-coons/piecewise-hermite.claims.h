@@ -234,7 +234,7 @@ CLAIM(pieces_need_not_have_one_curvature)
 :::{claim} second_derivatives_meet_on_a_condition
 :title: The jump of the second derivative
 :zh: 二阶连续的条件
-:given: $t_{i-1}<t_i<t_{i+1}$ with the distances $h_{i-1}$ and $h_i$, any data
+:given: $t_{i-1}<t_i<t_{i+1}$ with the distances $h_{i-1}$ and $h_i$, any values $f_i$ and derivatives $f_i'$ there, and the curve $P$ of the two pieces
 :then: $\frac12\bigl(P''(t_i+)-P''(t_i-)\bigr)$ is
   $3\frac{f_{i+1}-f_i}{h_i^2}+3\frac{f_i-f_{i-1}}{h_{i-1}^2}-\frac{f'_{i+1}}{h_i}-2f'_i\bigl(\frac1{h_{i-1}}+\frac1{h_i}\bigr)-\frac{f'_{i-1}}{h_{i-1}}$
 :method: The kernel on both intervals, against the formula; everything variable.

@@ -125,6 +125,9 @@ CLAIM(symmetric_functions_of_zeros_and_ones)
     num one = from_int(1), zero = from_int(0);
     num j = whole(T, "j", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0);
     num S[2] = {unknown(T, "S", 0), unknown(T, "S", 1)};
+    about(T, "no numbers"); /* the coefficients of the product of no factors */
+    same(T, G(choose)(0, 0), G(power)(S[0], 0));
+    same(T, G(choose)(0, 1), zero);
     about(T, "one number more");
     same(T, add(S[0], mul(zero, S[1])), S[0]);
     same(T, add(c, mul(one, div(mul(c, fault(T, j, add(j, one))), h))), div(mul(c, add(j, h)), h));

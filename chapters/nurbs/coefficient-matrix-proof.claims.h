@@ -242,10 +242,13 @@ The binomial theorem is an induction on the exponent, whose step is Pascal's rul
 once.
 */
 
-/* x C(n,i) x^(n-i) y^i + y C(n,i-1) x^(n+1-i) y^(i-1) = C(n+1,i) x^(n+1-i) y^i, with c = C(n,i) and U = x^(h-1) y^(i-1), n = i+h-1. */
+/* (x+y)^0 = 1, and x C(n,i) x^(n-i) y^i + y C(n,i-1) x^(n+1-i) y^(i-1) = C(n+1,i) x^(n+1-i) y^i, with c = C(n,i) and U = x^(h-1) y^(i-1), n = i+h-1. */
 static void G(check_binomial_step)(trial *T, num x, num y)
 {
-    num i = whole(T, "i", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0), U = unknown(T, "U", 0), one = from_int(1);
+    num i = whole(T, "i", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0), U = unknown(T, "U", 0),
+        one = from_int(1);
+    about(T, "the exponent 0");
+    same(T, G(power)(add(x, y), 0), mul(G(choose)(0, 0), mul(G(power)(x, 0), G(power)(y, 0))));
     about(T, "from one exponent to the next");
     num here = mul(c, mul(U, y)), before = mul(div(mul(c, fault(T, i, add(i, one))), h), mul(U, x));
     same(T, add(mul(x, here), mul(y, before)), mul(div(mul(c, add(i, h)), h), mul(U, mul(x, y))));

@@ -339,7 +339,7 @@ Printed is $l_a$ for $l_q$, see `notation-4.4`.
 :zh: (4.4.12) 的二重和给出 B 样条基
 :given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $u$ variables;
   random patterns for greater $k$
-:then: $\sum_ja_{ji}u^j=N_{i,k}(t)$, with $a_{ji}$ as printed, limits and all, and $\alpha$ from the cofactors (4.4.9)
+:then: $\sum_ja_{ji}u^j=N_{i,k}(t)$, with $a_{ji}$ by (4.4.12), limits and all, and $\alpha$ from the cofactors (4.4.9)
 :method: The double sum by its letter, against the recursion of Cox and de Boor.
 :degrees: 0..4 sampled 5
 :scope: every multiplicity of the knots of a function

@@ -246,7 +246,7 @@ With positive weights and $T'$ in the domain all new weights lie between the lea
 :given: simple knots, $n=k+1$; one knot $\tau$ inside an interval of $(t_1,t_k)$ or $(t_{n+1},t_{n+k})$, or at one of the knots there; positive
   gaps and weights
 :then: new point $j$ has no share but in $r_{j-1}$ and $r_j$, and both shares are nonnegative; they sum up to $1$ for $1<j\le n$, while
-  $r_1'=r_1$ with $\alpha_{1,k}(1)=\frac{\tau-t_1}{t_k-t_1}$ or $1$ and $r_{n+1}'=r_n$ with
+  the first is $r_1$, with $\alpha_{1,k}(1)=\frac{\tau-t_1}{t_k-t_1}$ or $1$, and the last, number $n+1$, is $r_n$, with
   $\alpha_{n,k}(n+1)=\frac{t_{n+k}-\tau}{t_{n+k}-t_{n+1}}$ or $1$; and (4.1.8) is (4.1.2) on the domain
 :method: (4.1.6) and both curves by their letter; signs are read off coefficients in the gaps.
 :types: field rational

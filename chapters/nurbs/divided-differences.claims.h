@@ -210,7 +210,8 @@ is seen to say what osculation means.
 :title: Row b(i,j) of the kernel has the j-th derivatives of the powers
 :zh: 合流 Vandermonde 矩阵的元素
 :given: every set of multiplicities of $k+1$ nodes, the nodes variables
-:then: entry $(b(i,j),c)$ of `confluent_vandermonde` is $\frac{d^j}{dt^j}t^c$ at $\tau_i$; so the last entry of the last row of $\tau_i$ is
+:let: $b(i,j)=j+l_1+\dots+l_{i-1}$, rows and columns counted from 0
+:then: entry $(b(i,j),m)$ of `confluent_vandermonde` is $\frac{d^j}{dt^j}t^m$ at $\tau_i$; so the last entry of the last row of $\tau_i$ is
   $\frac{k!}{(k-l_i+1)!}\tau_i^{k-l_i+1}$
 :method: In the field the other side is the formal derivative, elsewhere the falling factorial times the power.
 :degrees: k = 0..5 sampled 8
@@ -256,6 +257,7 @@ CLAIM(confluent_vandermonde_holds_derivatives)
 :title: The system H c = values says that the polynomial osculates
 :zh: 方程组 Hc = 值 即密切条件
 :given: every set of multiplicities of $k+1$ nodes, nodes and coefficients $c_0,\dots,c_k$ variables
+:let: $b(i,j)=j+l_1+\dots+l_{i-1}$, rows counted from 0
 :then: entry $b(i,j)$ of $H(T;1,\dots,t^k)\,c$ is the $j$-th derivative at $\tau_i$ of $c_0+\dots+c_kt^k$
 :method: The product with the matrix of the kernel against the derivatives of the polynomial in the field.
 :types: field
@@ -640,7 +642,8 @@ column belongs to which derivative: $b(i,j)$ counts the rows, from 0.
 :title: The printed weights are those of the kernel, and they give the divided difference
 :zh: 按 (4.4.8)、(4.4.9) 计算的差商
 :given: every set of multiplicities of $k+1$ nodes, the nodes and the values and derivatives of $f$ variables
-:then: $\alpha_{ij}=\beta_{b(i,j)}/\det$, with the printed product for the determinant and the printed $b(i,j)$, is
+:let: $\beta_b$ the cofactor of element $b$ of the last column of $H(T;1,\dots,t^k)$, $b=0,\dots,k$
+:then: $\alpha_{ij}=\beta_{b(i,j)}/\det$, with the product and the $b(i,j)$ of (4.4.9), is
   what `divided_weights` computes from power series, and $\sum\alpha_{ij}f^{(j)}(\tau_i)=[t_0,\dots,t_k]f$
 :method: The cofactors are determinants of order $k$ of the matrix of derivatives.
 :degrees: k = 0..5 sampled 7

@@ -45,7 +45,7 @@ vanishing curvature or torsion, and its members have them.
   point $\tau(t)=t$; such points are closed in the span, and by what was said open in it: they are the whole span.
 :meant: (4.3.3) and (4.3.15), by which the section determines the envelope | The first and the second: all joint
   solutions.
-:corrected: beside $\tau=t$ the joint solutions are the pairs for which the member $\tau$ of order $k-r+1$ has
+:corrected: beside $\tau=t$ the joint solutions are the pairs for which the member of the level before, $R=\mathbf r^{[k-r+1]}(\cdot,\tau)$, has
   $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before convex_polygon_of_span_has_one_envelope
@@ -56,7 +56,7 @@ vanishing curvature or torsion, and its members have them.
 :striking: 2
 :figure: nurbs_envelope_square
 
-Printed is the span of $t_i$ for that of $t_j$, see `notation-4.3`.  As $f[\tau^r,t^{k-1-r}]$ says (`member_of_span_is_polar`), $r$ and $k-1-r$ have the same solutions
+Printed is the span of $t_i$ for that of $t_j$, see `notation-4.3`.  As the polar form $f[\tau^r,t^{k-1-r}]$ says (`member_of_span_is_polar`), $r$ and $k-1-r$ have the same solutions
 with $t$ and $\tau$ exchanged: for $r=k-2$ they are, beside $\tau=t$, the $\tau$ with $\mathbf r'(\tau)\times\mathbf r''(\tau)=0$, with any $t$.
 :::
 
@@ -71,6 +71,7 @@ recursions.
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points, any $t$ and $\tau$, every $r=1,\dots,k-1$
+:let: $P^{[r]}=(\mathbf p^{[r]},w^{[r]})$ of (4.3.17)
 :where: the weights of the levels are not 0
 :then: $P^{[r]}(t,\tau)=P^{[r-1]}(t,\tau)+\frac{\tau-t}{k-r}\partial_tP^{[r-1]}(t,\tau)$
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
@@ -109,6 +110,7 @@ CLAIM(family_steps_along_the_tangent)
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; any homogeneous
   coordinate of the points, any $t$ and $\tau$, every $r=1,\dots,k-1$
+:let: $P^{[r]}=(\mathbf p^{[r]},w^{[r]})$ of (4.3.17)
 :then: $\partial_\tau P^{[r]}(t,\tau)=\frac r{k-r}\,\partial_tP^{[r-1]}(t,\tau)$
 :method: $P^{[r]}$ is a polynomial in $\tau$, whose Bézier points over the span are values of the polar form; the
   right side by the levels of de Boor's triangle and the derivatives of a segment.
@@ -642,7 +644,7 @@ CLAIM(twisted_sextic_has_second_envelope)
 :then: (4.3.15) is satisfied for all $t$ of the span; one point, that of the last $t$, is not on the curve
 :result: r_i = (-5,-95) (-3,-9) (-1,5) (1,-5) (3,9) (5,95); the condition is satisfied at t = (-1) (-3/4) (-1/2) (-1/4) (0) (1/4) (1/2) (3/4) (1); point of the member =
   (2/25,-4/625); its derivatives by t and τ = (2/5,-12/125) (3/5,-18/125)
-:method: With weights 1 a member is a polynomial in $t$ and $\tau$ of degree $5$ together, and $X_t\times X_\tau$ one in $t$ of a degree below nine for $\tau=ct$: it is $0$ for all $t$
+:method: With weights 1 a member $X$ is a polynomial in $t$ and $\tau$ of degree $5$ together, and $X_t\times X_\tau$ one in $t$ of degree eight for $\tau=ct$: it is $0$ for all $t$
   if it is at nine.  Then $y-x^3$ of one point is compared with 0.
 :control: $\tau=t$
 :::
@@ -676,7 +678,7 @@ factors the condition; the drawings show what comes out.
 :title: The other factor of the condition, and the curves that it gives
 :zh: 包络条件的另一因子及所得曲线
 :types: field
-:given: the families of a quartic, a sextic and a cubic, each curve by the vectors of its powers over uniform knots; $r=2$ for
+:given: the families $X$ of a quartic, a sextic and a cubic, each curve by the vectors of its powers over uniform knots; $r=2$ for
   the quartic, and an $r$ for the two others; any $t$ and $\tau$
 :data: t_i of the quartic = -9 -7 -5 -3 -1 1 3 5 7 9; quartic = (0,0) (1,0) (0,3) (0,0) (0,2); t_i of the sextic = -26
   -22 -18 -14 -10 -6 -2 2 6 10 14 18 22 26; sextic = (0,0,0) (1,0,0) (0,-15,0) (0,0,10) (0,0,0) (0,0,3) (0,1,0); t_i
@@ -756,7 +758,7 @@ corners arise.
   $r=1,\dots,k-2$
 :let: $a=t_j$, $b=t_{j+1}$, $P_i=(w_ir_i,w_i)$; $\alpha(x)$ the row of the $k$ discrete B-splines at $k-1$ arguments $x$; $M$ the $3\times k$ matrix of the rows
   at $(\tau^{r-1},t^{k-r-2},x,y)$ with $(x,y)=(a,a),(a,b),(b,b)$
-:then: with $Q=P^{[r-1]}(\cdot,\tau)$ and $m=k-r$:
+:then: with $Q=(\mathbf p^{[r-1]},w^{[r-1]})(\cdot,\tau)$ of (4.3.17) and $m=k-r$:
   $(b-a)^3\det(Q,Q',Q'')=m^2(m-1)\sum_{i<l<h}M_{ilh}\det(P_i,P_l,P_h)$, and every $3\times3$ minor $M_{ilh}$ is
   nonnegative
 :method: The equation in the field: the left side from the level $r-1$ of de Boor's triangle and its derivatives, the
@@ -767,7 +769,7 @@ corners arise.
   one sign, and $\det(Q,Q',Q'')\ne0$.
 :degrees: 2..4 sampled 5
 :scope: every pattern of the knots of a span up to order 4, three above; the gaps of the knots variables up to order 4, numbers above
-:where: the weights are positive
+:where: the weights are positive and $t$, $\tau$ in one span
 :over: P#: homogeneous points; y#: ratios in which the parameters divide the span; x#: -
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::

@@ -25,7 +25,7 @@ held for all $t$ of the span.  If it does hold for all of them both conclusions 
   coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants | The Wronskian of the coordinates of $\mathbf r$ is 0,
   so they are linearly dependent, as for the corrected sentence; a plane through the origin that has the segment has its points.
 :meant: the sentence, which begins with (4.3.12) and names its reason | The first: at one $t$, from (4.3.12).
-:corrected: if (4.3.12) holds for all $t$ of the span, three functions $X,Y,Z$ have the Wronskian 0 and are therefore
+:corrected: if (4.3.12) holds for all $t$ of the span, the three coordinates of $\mathbf r$ have the Wronskian 0 and are therefore
   linearly dependent, the segment is in a plane through the origin, and so are its control points
 :corrected-by: points_are_polar_values_of_the_segment common_normal_makes_points_coplanar
 :argued: | Rational functions whose Wronskian is 0 for all $t$ of a span are linearly dependent: the rows $\mathbf r,\mathbf r',\mathbf
@@ -149,12 +149,13 @@ CLAIM(osculating_plane_meets_the_origin_once)
 :printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$ means that these
   $\mathbf r_i$ are coplanar, so that the family is one of plane curves
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
-  points_are_polar_values_of_the_segment
+  points_are_polar_values_of_the_segment member_of_span_is_polar
 :needs: vanishing_curvature_says_nothing_about_the_points | the sentence is about the whole span | the condition holds for all
   $t$ of the span; at one $t$, which is what the alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf
   r''=0$ there
 :argued: | If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all $t$, the slopes $y'/x'$ and $z'/x'$ have the
-  derivative 0 and are constant, the segment is straight, and so its points are on a line.
+  derivative 0 and are constant, the segment is straight, and so its points are on a line; where $x'=0$ for all $t$ another coordinate takes the place of $x$, and where
+  none does the segment is a point.  A plane that has the points has the polar form of the segment, and so every member.
 :figure: points_off_the_plane
 :::
 
@@ -391,10 +392,11 @@ CLAIM(inflected_cubic_is_not_straight)
 :printed: every member of the family being on the straight line of $\mathbf r(t)$, its envelope is $\mathbf r(t)$
 :class: false
 :refuted-by: folded_line_has_another_solution
-:corrected: then every pair $(t,\tau)$ is a joint solution; the points of all members may be more than those of
-  $\mathbf r$
+:corrected: then every pair $(t,\tau)$ is a joint solution
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent
 :figure: nurbs_folded_line
+
+The points of all members may be more than those of $\mathbf r$: in the example one is.
 :::
 
 Even the straight segment is not as harmless as it looks.  If all members are on a line, every pair satisfies the
@@ -480,7 +482,7 @@ CLAIM(inflected_cubic_has_second_envelope)
     G(given_curve_of_powers)(T, 3, 2, u, R, w);
     if (!G(pair_of_the_envelope)(T, 3, 2, u, 3, R, w, 1, tau, t, X))
         return;
-    about(T, "y - x³ at the point; 0 on the curve");
+    about(T, "y - x³ at the point, and on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
 }
 
@@ -511,7 +513,7 @@ CLAIM(space_quartic_has_second_envelope)
     found(T, "six times the volume of the first four points", volume);
     if (!G(pair_of_the_envelope)(T, 4, 3, u, 4, R, w, 1, tau, t, X) || is_zero_q(volume))
         return;
-    about(T, "y - x³ at the point; 0 on the curve");
+    about(T, "y - x³ at the point, and on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
 }
 #endif

@@ -89,8 +89,8 @@ CLAIM(superscript_of_the_order_gives_another_product)
   being in a plane through the origin and its points with it, but not by linear independence | The Wronskian of the coordinates
   of the member is 0 for all $t$, so they are linearly dependent.
 :meant: the sentence, which begins with the sum | The first: at one pair $(t,\tau)$, from the sum.
-:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so each term is 0,
-  whatever the points are
+:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors, with $\mathbf r^{[k-r+1]}(t,\tau)$ for $\mathbf r^{[r-1]}(t,\tau)$ as in
+  `thm-4.3.3-alternatives`, is 0, so each term is 0, whatever the points are
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
@@ -118,7 +118,7 @@ through the origin at one $t$ is easily made: one prescribes the member and look
 :zh: 和为零而各项不为零
 :kind: counterexample
 :given: the cubic curve of space $\sum a_mt^m$ as a segment of degree four over the uniform knots $t_i$, weights 1,
-  whose member $\tau$ of level 1 is a multiple of $(t+1,t^2,t^3)$; $r=2$, and a $t$
+  whose member $R$ of level 1, of the parameter $\tau$, is a multiple of $(t+1,t^2,t^3)$; $r=2$, and a $t$
 :data: t_i = -18 -14 -10 -6 -2 2 6 10 14 18; a = (2,1,-3) (4,-4,12) (0,6,-18) (0,0,12) (0,0,0); t = 0; τ = 1
 :then: $\sum N_{i,k-1}(t)(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$, and not every term is 0
 :result: r_i = (-30,377,-5355) (-14,73,-27) (2,-39,117) (18,41,-315) (34,313,3285); the triple products = -6480 1296
@@ -169,7 +169,7 @@ but to solve these equations backwards there is one of them too few.
 :zh: 加权顶点的线性函数满足递推 (4.1.3)
 :given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
-  points of space, two vectors, any $\tau$, every $r=2,\dots,k-1$
+  points of space, two vectors $a$, $b$, any $\tau$, every $r=2,\dots,k-1$
 :where: the weights of the levels are not 0
 :then: $(w_i^{[r-1]}r_i^{[r-1]},a,b)=(1-\alpha)(w_{i-1}^{[r-2]}r_{i-1}^{[r-2]},a,b)+\alpha(w_i^{[r-2]}r_i^{[r-2]},a,b)$,
   $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$
@@ -225,13 +225,13 @@ CLAIM(weighted_points_follow_the_recursion)
   the osculating plane of the curve, so that the Wronskian of the coordinates of the curve is 0 for all $t$; the plane has the
   control points, and so every member.
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
-:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors is 0, so the products
-  are 0 on every level
+:corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors, with $\mathbf r^{[k-r+1]}(t,\tau)$ for $\mathbf r^{[r-1]}(t,\tau)$ as in
+  `thm-4.3.3-alternatives`, is 0, so the products are 0 on every level
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
 
-No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.
+No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.  The examples, too, have the member of level $r-1$ for $\mathbf r^{[r-1]}(t,\tau)$.
 :::
 */
 
@@ -242,7 +242,7 @@ No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3
 :zh: 第 1 层混合积为零而第 0 层不为零
 :kind: counterexample
 :given: the cubic curve of space $\sum a_mt^m$, which is $(t,t^2,(t-1)^3)$, as a segment over the uniform knots $t_i$,
-  weights 1; $r=2$, a $t$, and the $\tau$ whose member of level 1 is in the plane $z=0$
+  weights 1; $r=2$, a $t$, and the $\tau$ whose member $R$ of level 1 is in the plane $z=0$
 :data: t_i = -14 -10 -6 -2 2 6 10 14; a = (0,0,-1) (1,0,3) (0,1,-3) (0,0,1); t = 0; τ = 1
 :then: $(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$ for all $i$, and not every $(r_i,\partial_tR,\partial_t^2R)$ is
   0
@@ -282,6 +282,9 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :argued: | Either one pair of the last two factors is independent, and their normal is common to all points, or every member is straight, since its
   slopes have the derivative 0; then $\mathbf r'\times\mathbf r''$, of which $R'\times R''$ at $\tau=t$ is a multiple, is 0 for all $t$, and the segment is straight.
 :figure: nurbs_envelope_space
+
+The products are those of $w_i\mathbf r_i$ with $\partial_tR$ and $\partial_t^2R$, $R=\mathbf r^{[k-r+1]}(t,\tau)$ being the member of the level before, as in
+`thm-4.3.3-alternatives`.
 :::
 
 What is left is the conclusion from vanishing products to coplanar points.  At a pair with another solution the member

@@ -37,7 +37,7 @@ inflection: it is touched by every member.
   the same value at them.
 :reading: folded_line_has_another_solution | the same when $\mathbf r'\times\mathbf r''$ is 0 identically, a case which the proof includes
 :corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the
-  points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$; hence, unless
+  points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$, $W$ being the denominator of the member; hence, unless
   $\mathbf r$ is on a straight line, the envelope is $\mathbf r$ alone if and only if $\mathbf r'\times\mathbf r''=0$
   only where $\mathbf r'=0$; so for a strictly convex control polygon of the span
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent extra_points_run_along_the_tangent
@@ -102,7 +102,7 @@ CLAIM(touching_curve_satisfies_the_condition)
 :title: Where a member stands still the condition is satisfied, and the member is not touched
 :zh: 族曲线的驻点处满足包络条件而不相切
 :kind: counterexample
-:given: the cubic $\sum a_mt^m$, which is $(t+t^2,t^3)$, as a segment over the uniform knots $t_i$, weights 1; $r=1$, its inflection $t$ and the member $\tau$
+:given: the cubic $\sum a_mt^m$, which is $(t+t^2,t^3)$, as a segment over the uniform knots $t_i$, weights 1; $r=1$, its inflection $t$ and the member $X$ of the parameter $\tau$
 :data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0) (1,0) (1,0) (0,1); t = 0; τ = -1
 :instead: τ = -1/2
 :then: (4.3.9) is satisfied because $\partial_tX=0$; the solutions about the pair are the line $t=0$, whose points run along the axis, and the
@@ -316,7 +316,7 @@ $w''$ three numbers, all of them variables, and so is $k$.
 :zh: 包络条件的等价形式
 :printed: (4.3.9) is equivalent to $(\tau-t)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr][\mathbf r'(t)\times\mathbf p''(t)]=(\tau-t)\,w''(t)\Bigl\{\mathbf
   r'(t)\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)\Bigr]\Bigr\}$
-:holds-by: first_level_condition_as_printed derivatives_of_the_first_member first_level_follows_the_tangent
+:holds-by: first_level_condition_as_printed first_level_follows_the_tangent
 :figure: nurbs_second_line
 :::
 */
@@ -336,9 +336,9 @@ static G(jet) G(free_jet)(trial *T)
     J.w = positive(T, "v", 0);
     J.w1 = unknown(T, "v", 1);
     J.w2 = unknown(T, "v", 2);
-    num step = div(J.e, sub(J.k, one)), n = sub(J.k, one);
+    num step = div(J.e, sub(J.k, one)), n = sub(J.k, one), kept = div(sub(J.k, two), n);
     J.W = add(J.w, mul(step, J.w1));
-    num square = mul(mul(J.W, J.W), n), w_square = mul(J.w, J.w);
+    num W_by_tau = div(J.w1, n), W_by_t = add(mul(kept, J.w1), mul(step, J.w2)), square = mul(J.W, J.W);
     for (int c = 0; c < 3; c++) {
         J.p[c] = H[c] = unknown(T, "f", c);
         J.p1[c] = H[4 + c] = unknown(T, "g", c);
@@ -351,9 +351,9 @@ static G(jet) G(free_jet)(trial *T)
         J.r[c] = D[c];
         J.r1[c] = D[3 + c];
         J.r2[c] = D[6 + c];
-        J.by_tau[c] = div(mul(w_square, J.r1[c]), square);
-        num first = mul(J.e, sub(mul(J.W, J.p2[c]), mul(J.w2, J.A[c])));
-        J.by_t[c] = div(add(first, mul(sub(J.k, two), mul(w_square, J.r1[c]))), square);
+        num by_tau = div(J.p1[c], n), by_t = add(mul(kept, J.p1[c]), mul(step, J.p2[c])); /* the derivatives of A */
+        J.by_tau[c] = div(sub(mul(by_tau, J.W), mul(J.A[c], W_by_tau)), square);
+        J.by_t[c] = div(sub(mul(by_t, J.W), mul(J.A[c], W_by_t)), square);
     }
     return J;
 }
@@ -381,8 +381,8 @@ r''$, so that the other case is the inflections of the curve and nothing else.
 :given: vectors $p,p',p''$ of space, numbers $w,w',w''$, any $k\ge2$ and $\tau-t$
 :let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(k-1)^2W^4\,X_\tau\times X_t=w^2(\tau-t)\{W\,r'\times p''-w''\,r'\times A\}$
-:method: $X_\tau$ and $X_t$ from the formulas of `derivatives_of_the_first_member`, everything a variable; $W$ and $w$
-  are positive on the span.
+:method: $X_\tau$ and $X_t$ by the quotient rule from $A_\tau=\frac{p'}{k-1}$, $A_t=\frac{k-2}{k-1}p'+\frac{\tau-t}{k-1}p''$, and those of $W$ likewise;
+  everything a variable; $W$ and $w$ are positive on the span.
 :where: the weights of curve and member are not 0
 :degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
@@ -408,7 +408,7 @@ CLAIM(first_level_condition_as_printed)
 :let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $W\,r'\times p''-w''\,r'\times A=W\,w\;r'\times r''$, hence
   $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
-:method: $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
+:method: $X_\tau$, $X_t$, $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
   joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$.
 :where: the weights of curve and member are not 0
 :degrees: all from 1
@@ -533,7 +533,7 @@ multiplies by $w''$ what is to be shown to vanish, and for a polynomial curve $w
 :title: For equal weights the scalar product with p'' is 0 = 0
 :zh: 权相等时与 p'' 的数量积恒为零
 :kind: counterexample
-:given: the cubic curve of space $\sum a_mt^m$ as a segment over the uniform knots $t_i$, weights 1; $t$ and $\tau$
+:given: the cubic curve of space $\sum a_mt^m$ as a segment over the uniform knots $t_i$, weights 1; $t$ and $\tau$; $A=\mathbf p+\frac{\tau-t}{k-1}\mathbf p'$
 :data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0,1) (1,0,0) (0,1,0) (0,0,1); t = 0; τ = 1
 :instead: a = (0,0,0) (1,0,0) (0,1,0) (0,0,1)
 :then: the scalar product of both sides with $p''$ is satisfied, and $(\tau-t)(r',A,p'')\ne0$

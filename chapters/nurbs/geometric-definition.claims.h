@@ -293,7 +293,7 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
     found_whole(T, "r", at_level);
     found_whole(T, "i", at_index);
     found_whole(T, "least index of a point", least);
-    about(T, "all points exist");
+    about(T, "every point that the recursion asks for exists");
     agree(T, least >= 1);
 }
 #endif
@@ -413,7 +413,7 @@ with a common second derivative at the knot, of which the second has its inflect
 :method: The points are values of the polar forms; the two polar forms are found to agree for the three points that
   both segments use.  The signs are decided: of the determinants of neighbouring edges, and of polynomials.  Then the
   condition by the family of the second span; then the ordinate of the point is compared with that of the curve at its
-  abscissa, at $t=X+c$.
+  abscissa $x$, at $t=x+c$.
 :control: $\tau=t$
 :::
 */
@@ -453,7 +453,7 @@ CLAIM(convex_polygon_has_a_stationary_leg)
     num place = add(X[0], c);
     G(bspline_deboor)(G(on_span)(3, 2, u, compare_q(place, u[4]) < 0 ? 3 : 4, R), place, at);
     found_points(T, "point of the curve with its abscissa", 1, 2, at);
-    about(T, "the ordinates of the point and of the curve there");
+    about(T, "the ordinates of the point and of the curve at its abscissa");
     same(T, X[1], at[1]);
 }
 #endif
@@ -494,6 +494,7 @@ of knots.
 :title: For k = 3 a segment turns unless three neighbouring points are on a line
 :zh: k=3 时仅当三点共线包络条件才处处成立
 :given: $k=3$; a span with every pattern of the knots around it, the distinct knots variables; three points with weights, any two coordinates of them; any $\tau$
+:let: $P=(\mathbf p,w)$, the segment in homogeneous coordinates
 :then:
   $\det(P,P',P'')(\tau)=\frac{4\,w_{j-2}w_{j-1}w_j\;(r_{j-1}-r_{j-2})\times(r_j-r_{j-2})}{(t_{j+1}-t_{j-1})(t_{j+2}-t_j)(t_{j+1}-t_j)}$,
   a constant

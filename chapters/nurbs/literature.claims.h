@@ -75,7 +75,7 @@ CLAIM(cited_label_is_not_printed)
     }
     found_whole(T, "formulas with the label that is cited", formulas);
     found_whole(T, "label that stands twice", twice);
-    about(T, "a formula has the label");
+    about(T, "a formula has the label that is cited");
     agree(T, formulas > 0);
 }
 
@@ -380,7 +380,7 @@ CLAIM(volume_of_the_survey_breaks_the_rule)
         constant[k] = sub(issue[0], issue[1]);
     }
     found_points(T, "year less volume", 3, 1, constant);
-    about(T, "the year less the volume is the same");
+    about(T, "the year less the volume is the same for all three");
     agree(T, equal_q(constant[1], constant[0]) && equal_q(constant[2], constant[0]));
 }
 #endif

@@ -37,6 +37,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :title: The kernel's matrix has the printed entries
 :zh: 矩阵 G 元素的核对
 :given: orders $k=p+1$, knots variables
+:let: $\omega_{i,k}$ the product (4.4.14)
 :then: `marsden_matrix` has the entries $\frac{(-1)^\mu\mu!}{(k-1)!}\omega_{i,k}^{(k-1-\mu)}(0)$
 :method: The kernel divides symmetric functions by binomial coefficients; the other side takes formal derivatives of the
   product $\omega_{i,k}$ in the field.
@@ -152,7 +153,7 @@ of $u$.  The formula is computed as it stands, with determinants over all permut
 :zh: (4.4.17) 给出 B 样条基
 :given: every pattern of the 2k knots around a span up to the order 3, orders 4 and 5 with simple knots and those of
   Bernstein; the different knots and $u$ variables; random patterns in the other number types
-:then: $\sum_j\bar a_{ji}u^j=N_{i,k}(t)$, with $\bar a_{ji}$ as printed, and `bspline_matrix_by_marsden` has these
+:then: $\sum_j\bar a_{ji}u^j=N_{i,k}(t)$, with $\bar a_{ji}$ by (4.4.17), and `bspline_matrix_by_marsden` has these
   entries
 :method: (4.4.17) by its letter, with $G$, its determinant and its cofactors as sums over all permutations; the
   B-splines by their definition.

@@ -335,7 +335,7 @@ CLAIM(knot_before_the_domain_asks_for_another_point)
     given_points(T, "T", 6, 1, t + 1);
     num tau = given(T, "τ"), factor = sub(from_int(1), G(printed_alpha)(3, place_of(6, t, tau), t, tau, 1));
     found(T, "factor of r_0", factor);
-    about(T, "the new first point does not need r_0");
+    about(T, "the factor of r_0 in the new first point, and 0");
     same(T, factor, from_int(0));
 }
 
@@ -364,7 +364,7 @@ CLAIM(insertion_at_a_clamped_start_asks_for_another_point)
     num factor = sub(from_int(1), G(printed_alpha)(3, mu, t, tau, 1));
     found_whole(T, "μ", mu);
     found(T, "factor of r_0", factor);
-    about(T, "the new first point does not need r_0");
+    about(T, "the factor of r_0 in the new first point, and 0");
     same(T, factor, from_int(0));
 }
 

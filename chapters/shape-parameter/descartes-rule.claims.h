@@ -173,7 +173,7 @@ CLAIM(positive_coefficients_with_two_roots)
     num k[8];
     poly f = G(given_combination)(T, k);
     int no_more = G(no_more_roots_than_changes)(T, f, k);
-    about(T, "no more roots than changes of sign");
+    about(T, "there are no more roots than changes of sign");
     agree(T, no_more);
 }
 
@@ -326,7 +326,7 @@ CLAIM(one_change_of_sign_and_three_roots)
     num k[8];
     poly f = G(given_combination)(T, k);
     int no_more = G(no_more_roots_than_changes)(T, f, k);
-    about(T, "no more roots than changes of sign");
+    about(T, "there are no more roots than changes of sign");
     agree(T, no_more);
 }
 
@@ -351,7 +351,7 @@ CLAIM(one_change_of_sign_and_two_roots)
     int no_more = G(no_more_roots_than_changes)(T, f, k);
     int divides = poly_divides(double_root, f);
     found_text(T, "f(t)/(t-1)²", divides ? poly_to_string(poly_quotient(f, double_root), "t") : "no polynomial");
-    about(T, "no more roots than changes of sign");
+    about(T, "there are no more roots than changes of sign");
     agree(T, no_more);
 }
 #endif

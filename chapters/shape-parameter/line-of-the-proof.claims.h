@@ -204,7 +204,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
     struct cagd_polygon_meets_line m = polygon_meets_line(7, P, G(given_line)(T));
     found_whole(T, "SA", m.crossings);
     found_whole(T, "points on the line", m.components);
-    about(T, "no more changes of sign than points");
+    about(T, "there are no more changes of sign than points");
     agree(T, m.crossings <= m.components);
 }
 

@@ -284,7 +284,7 @@ CLAIM(third_function_has_two_maxima)
     found_text(T, "B_2'(t)", poly_to_string(D, "t"));
     found_whole(T, "its roots in (0,1)", roots.distinct);
     found_whole(T, "local maxima on [0,1]", maxima);
-    about(T, "one local maximum on [0,1]: the inner ones and t = 0 together");
+    about(T, "there is one local maximum on [0,1]: the inner ones and t = 0 together");
     agree(T, maxima == 1);
 }
 #endif

@@ -9,7 +9,9 @@ import unittest
 from pathlib import Path
 
 REGISTER_FILE = sys.argv.pop(2)
-LEDGER = json.loads((Path(sys.argv.pop(1)) / "report" / "ledger.json").read_text(encoding="utf-8"))["statements"]
+FOLDER = Path(sys.argv.pop(1))
+LEDGER = json.loads((FOLDER / "report" / "ledger.json").read_text(encoding="utf-8"))["statements"]
+RUNS = json.loads((FOLDER / "verify.json").read_text(encoding="utf-8"))["claims"]
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "scripts"))
 from register import load  # noqa: E402
 
@@ -161,6 +163,18 @@ class Scopes(unittest.TestCase):
         self.assertEqual(degree_of_instance({"given": "a curve of order $k$", "data": "n = 5; k = 4"}), 3)
         self.assertIsNone(degree_of_instance({"given": "a linear and a cubic curve"}))
 
+    def test_a_condition_is_told_once(self):
+        """Two conditions that differ by an index or a mark alone are one with two names, "t_0 and t_1 differ, and t_i and t_{i+1} do"."""
+        told = 0
+        for row in LEDGER:
+            for finding in filter(None, [row["as_printed"], row["corrected"]]):
+                conditions = re.findall(r"\bwhere (.*?)(?:; |$)", finding["scope"])
+                alike = [re.sub(r"_(?:\{[^}]*\}|\\?\w)|\\(?:dot|ddot|mathbf|mathrm)\b|[′'$ {}]", "", one) for c in conditions for one in c.split(", and ")]
+                told += len(alike) > 1
+                with self.subTest(row["id"]):
+                    self.assertEqual(len(alike), len(set(alike)), finding["scope"])
+        self.assertGreater(told, 50)
+
     def test_an_argument_is_told_once(self):
         """What is argued for more cases was computed for some: "argued for n = 2 to 6; argued for every n" is never told."""
         for row in LEDGER:
@@ -177,6 +191,20 @@ class Scopes(unittest.TestCase):
                     with self.subTest(row["id"]):
                         self.assertGreater(len(finding["steps"]), 1)
                         self.assertTrue(all(step["evidence"] != "none" for step in finding["steps"]))
+
+
+class Sentences(unittest.TestCase):
+    def test_numbers_are_not_compared_with_a_condition(self):
+        """"Compared: whether it moves: -1 is negative" is no sentence: of numbers it is said what they are, of a condition that it fails."""
+        told = 0
+        for claim in RUNS:
+            for run in claim["types"].values():
+                shown = {value["name"]: value["value"] for value in run.get("shown", [])}
+                if {"left", "negative"} & set(shown) and "compared" in shown:
+                    told += 1
+                    with self.subTest(claim["name"]):
+                        self.assertNotRegex(shown["compared"], r"\bwhether\b")
+        self.assertGreater(told, 150)
 
 
 class Lemmas(unittest.TestCase):
