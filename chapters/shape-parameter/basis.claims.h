@@ -104,7 +104,7 @@ CLAIM(corrected_kernel_is_its_formula)
   second_function_decreases
 :class: false
 :corrected: with $B_3=(35+5\beta-5\beta t)(1-t)^4t^3$ and $B_4=(35+5\beta t)(1-t)^3t^4$, two digits, the other six as printed,
-  the properties 2.2, 2.3, 2.4 and 2.7 hold for every $\beta$, 2.4 and 2.7 with the indices corrected, and 2.1 and 2.5 for
+  the properties 2.2, 2.3 and 2.4 hold for every $\beta$, and 2.7, which is about $\beta=0$, 2.4 and 2.7 with the indices corrected; 2.1 and 2.5 for
   $-\frac{21}4\le\beta\le1$; 2.6 does not hold.  With the other six as printed these two functions are the only ones that
   are mirror images with linear factors and make the sum 1
 :corrected-by: two_digits_are_corrected mirror_images_with_sum_one_are_unique corrected_functions_sum_to_one
