@@ -93,7 +93,7 @@ the half line and its end: what goes wrong further on goes wrong there.
 :zh: 参数变换及其逆
 :printed: t=\frac{au+b}{u+1},\ 0\le u\le+\infty;\qquad u=\frac{b-t}{t-a},\ a\le t\le b
 :holds-by: parameter_change_and_its_inverse
-:needs: parameter_change_needs_two_ends | (3.4.3), which is written for an interval $[a,b]$ | $a<b$: the interval is not a point
+:needs: parameter_change_needs_two_ends | (3.4.3), which is written for an interval $[a,b]$ | u ≥ 0 and a < t ≤ b: for $a=b$ the interval is a point
 
 $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the value $u=+\infty$ stands for $t=a$.
 :::

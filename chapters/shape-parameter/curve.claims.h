@@ -680,7 +680,7 @@ CLAIM(reversed_polygon_reverses_the_curve)
 :refuted-by: curve_is_not_its_own_reverse
 :class: misprint
 :corrected: $\tilde B(1-t)=\sum P_{7-i}B_{i,7}(1-t)=\sum P_jB_{j,7}(t)=q(t)$, where $\tilde B$ on the left is the curve of the
-  reversed polygon and the functions are the corrected ones
+  reversed polygon, $q$ that of the polygon, and the functions are the corrected ones
 :corrected-by: reversed_polygon_reverses_the_curve
 :figure: two_directions_two_curves
 :degree: 7

@@ -29,6 +29,8 @@ the range from $-\frac{21}4$ to 1.
 :confirmed-by: growing_beta_pushes_by_the_turns
 :figure: closer_or_not
 :degree: 7
+
+Outward has the sense of `property-3.5`.
 :::
 
 :::{statement} deng-zhang-2022:sec-6-features
