@@ -566,12 +566,14 @@ static int next_sign(const char **at)
     return **at != '\0' ? (unsigned char)*(*at)++ : 0;
 }
 
-/* Whether a phrase of the scope reads the same: "0 ≤ t ≤ 1" and "$0\le t\le1$". */
+/* Whether a phrase of the scope is narrower than the condition, or reads the same: "0 ≤ t ≤ 1" and "$0\le t\le1$". */
 static int is_said(const scope *s, const char *condition)
 {
     for (int k = 0; k < s->said.count; k++) {
         const char *a = condition, *b = s->said.at[k];
         int x, y;
+        if (is_within(s->within, b, a))
+            return 1;
         do
             x = next_sign(&a), y = next_sign(&b);
         while (x == y && x != 0);

@@ -286,7 +286,8 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
   makes it $0$, the curvature of a segment.
 :figure: end_curvature
 
-$\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ and $\mathbf b$; with this meaning the formula holds in any dimension.
+$\|\mathbf a\times\mathbf b\|$ is the area of the parallelogram of $\mathbf a$ and $\mathbf b$; with this meaning the formula holds in any
+dimension, as $\mathbf R'(0)$ and $\mathbf R''(0)$ are combinations of $\mathbf a_1$ and $\mathbf a_2$.
 :::
 
 :::{statement} wang-ch3:3.2.5-right
@@ -494,6 +495,7 @@ hand, makes good sense where the points that it stands for do not exist.
 :title: Segments have end curvature 0, and quadratics end torsion 0
 :zh: 线段曲率为零，二次曲线挠率为零
 :given: in space, two points with weights ($n=1$), and three points with weights ($n=2$)
+:where: $\mathbf R_0\ne\mathbf R_1$ for $n=1$; no weight is 0
 :then: $\kappa(0)=\kappa(1)=0$ for $n=1$, and $(R',R'',R''')=0$ at both ends for $n=2$: what the factors $n-1$ and $n-2$ say
 :method: Both are $0$ in the field of the weights and the coordinates.
 :control: the same with one point more

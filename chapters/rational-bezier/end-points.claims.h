@@ -284,7 +284,7 @@ CLAIM(multiplicities_fit_into_the_polygon)
 :holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term
 :confirmed-by: end_derivatives_in_every_degree end_derivatives_at_zero_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_0\ne0$.
+  $\omega_0=\omega(0)\ne0$.
 :::
 */
 
@@ -334,7 +334,7 @@ CLAIM(end_derivatives_at_zero_with_repeated_points)
 :holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term
 :confirmed-by: end_derivatives_in_every_degree end_derivatives_at_one_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_n\ne0$; the example is to be read in reversed order.
+  $\omega_n=\omega(1)\ne0$; the example is to be read in reversed order.
 :::
 
 :::{claim} end_derivatives_at_one_with_repeated_points
@@ -380,22 +380,22 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term
 :confirmed-by: end_derivatives_in_every_degree end_derivatives_at_zero_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_0\ne0$.
+  $\omega_0=\omega(0)\ne0$.
 :figure: end_tangents
 :::
 
 :::{statement} wang-ch3:3.2.4-right
 :title: At t = 1: the first derivative that does not vanish
 :zh: t=1 处首个非零导矢
-:printed: When $\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf R_{n-h+1}\ne\mathbf R_{n-h}$, $h\ge1$:
-  $\mathbf R^{(h)}(1)=\frac{n!}{(n-k)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})$
+:printed: When $\mathbf R_0=\mathbf R_1=\dots=\mathbf R_{k-1}\ne\mathbf R_k$, $\mathbf R_n=\mathbf R_{n-1}=\dots=\mathbf
+  R_{n-h+1}\ne\mathbf R_{n-h}$, $k,h\ge1$: $\mathbf R^{(h)}(1)=\frac{n!}{(n-k)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})$
 :class: misprint
 :refuted-by: printed_end_derivative_at_one_has_the_wrong_sign printed_end_derivative_at_one_has_the_wrong_factor
 :corrected: \mathbf R^{(h)}(1)=(-1)^{h+1}\frac{n!}{(n-h)!}\frac{\omega_{n-h}}{\omega_n}(\mathbf R_n-\mathbf R_{n-h})
 :corrected-by: first_power_decides_the_end_derivative mean_grows_by_one_term
 :confirmed-by: end_derivatives_in_every_degree end_derivatives_at_one_with_repeated_points two_multiplicities_leave_an_edge
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_n\ne0$; the example is to be read in reversed order.
+  $\omega_n=\omega(1)\ne0$; the example is to be read in reversed order.
 :striking: 3
 :figure: end_derivatives
 

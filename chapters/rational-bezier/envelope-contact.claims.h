@@ -38,7 +38,7 @@ binomial coefficients.
   and in the plane empty from dimension 2 on | By (1) and the binomial theorem the homogeneous derivatives of order $k\le n-r$ of member and curve are
   $\frac{(n-r)!}{(n-r-k)!}$ and $\frac{n!}{(n-k)!}$ times one vector; the factors are not 0, so the derivatives of the member span what those of the curve do.
 :corrected: at $t=c$ with $\mathbf R'(c)\ne0$ the contact has for every $r\ge1$ the order of contact of $\mathbf R$
-  with its tangent: it is 1 where $\kappa\ne0$, and there
+  with its tangent: it is 1 where the curvature $\kappa$ of $\mathbf R$ is not 0, and there, with the curvature $\kappa^{[n-r]}$ of the member,
   $\frac{\kappa^{[n-r]}}{\kappa}=\frac{n(n-r-1)}{(n-r)(n-1)}<1$
 :corrected-by: member_is_flatter_by_a_fixed_ratio member_is_flatter_in_every_order members_are_flatter_powers
 :confirmed-by: expansion_about_the_contact osculating_flats_agree unweighted_derivatives_are_parallel curvature_of_the_member
@@ -91,9 +91,10 @@ CLAIM(expansion_about_the_contact)
   $p_0,p_1,p_2$; any $n$ and $m=n-r$; two vectors $X,Y$ of space
 :where: $\omega(c)\ne0$
 :then: $R_m'=\frac mnR'$ and $R_m''=\frac{m(m-1)}{n(n-1)}R''+\mu R'$ with one $\mu$ for all coordinates; and
-  $\kappa^2$ of $(aX,bY+\mu X)$ is $(b/a^2)^2$ times that of $(X,Y)$, which for these $a,b$ gives the ratio
+  $\kappa^2$ of $(aX,bY+\mu X)$ is $(b/a^2)^2$ times that of $(X,Y)$, which for these $a,b$ gives the ratio;
+  $m(n-1)-n(m-1)=n-m=r$
 :method: All in the field with $n$ and $m$ variables; the derivatives by Leibniz' rule, $\kappa^2$ by the kernel in the
-  plane and in space.  The ratio is less than 1 because $(n-r)(n-1)-n(n-r-1)=r$.
+  plane and in space.  The ratio is less than 1 because $r\ge1$.
 :degrees: all
 :over: n X# Y# mu: -; m: r; p#: points
 :control: the ratio $\frac{n-r-1}{n-1}$
@@ -122,6 +123,9 @@ CLAIM(member_is_flatter_by_a_fixed_ratio)
     /* R_m'' = m (m-1)/(n (n-1)) R'' + μ R' */
     same(T, R2[1], add(mul(b, R2[0]), mul(mu, R1[0])));
 
+    about(T, "how much the ratio is less than 1");
+    /* m (n-1) - n (m-1) = n - m */
+    same(T, sub(mul(m, sub(n, one)), mul(n, sub(m, one))), sub(n, m));
     num ratio = fault(T, mul(div(n, m), div(sub(m, one), sub(n, one))), div(sub(m, one), sub(n, one)));
     for (int dim = 2; dim <= 3; dim++) {
         num X[3], Y[3], aX[3], bY[3], nu = unknown(T, "mu", 0);

@@ -140,6 +140,7 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
 :figure: envelope_cusp
 
 To be in contact means here to have a common point and a common tangent there.  The two derivatives are parallel and, for $r\ge1$ and $R'(c)\ne0$, not equal.
+That they touch nowhere else is not claimed: a tangent, the member of $r=n-1$, may touch the curve in a second point.
 :::
 
 :::{claim} member_touches_curve

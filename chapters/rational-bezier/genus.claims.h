@@ -59,7 +59,7 @@ order on its line decide whether it is an ordinary cusp.
 :figure: genus_extra
 :striking: 5
 
-The correction says no more than what is proved here: an identity for each of its parts, and the argument from there
+The correction says no more than what is shown here: an identity for each of its parts, and the argument from there
 in the method of the claim.
 :::
 

@@ -106,7 +106,7 @@ $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the val
   the number $u=\frac{b-t}{t-a}\ge0$ is mapped back to $t$
 :method: Identities in $a$, $l$, $u$, $s$; the signs are those of the coefficients, $s$ running through $[0,1)$.
 :scope: u ≥ 0 and a < t ≤ b
-:over: a; l0: b - a; u0: -; s: -
+:over: a l0 u0 s: -
 :control: $t=(bu+a)/(u+1)$
 :::
 */
@@ -642,7 +642,7 @@ determinant is identically 0.
   change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power top_form_is_a_resultant_row_by_row
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant common_zero_makes_the_equation_vanish
   elevation_multiplies_by_one_plus_u
-:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
+:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$ its first column is 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
 :hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, $u=\infty$
   included (no base point); else $F$ is 0 for all $(x,y)$
@@ -652,7 +652,8 @@ determinant is identically 0.
   space $F=0$ may hold beside the curve
 :meant: the proof, which shows that $F$ is 0 at the points of the curve, and the word equation | Every point of the curve satisfies $F=0$, and this is an equation: $F$ is not the zero polynomial.
 :reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs none of the hypotheses on weights and common zeros | At such a
-  point the sums of (3.4.5) are 0; a square matrix that takes a vector that is not 0 to 0 has the determinant 0.
+  point, other than $\mathbf R_0$, the sums of (3.4.5) are 0; a square matrix that takes a vector that is not 0 to 0 has the determinant 0.  At
+  $\mathbf R_0$, which is the point of no $u$, the first column is 0.
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve and no others; but a point of a parameter outside of the interval may
   be one
 :figure: implicit_elevation

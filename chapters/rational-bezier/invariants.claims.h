@@ -22,8 +22,8 @@ other points and weights, and with them other quotients.
 :definition: yes
 :checked-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change equal_invariants_give_same_curve
-:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
-  and $b$ have one sign: positive weights give it; otherwise the denominator can vanish inside $[0,1]$
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  $au+b(1-u)\ne0$: positive weights give it, as $a,b>0$; otherwise the denominator can vanish inside $[0,1]$
 :::
 
 Of the definition this much is sure: the numbers belong to points and weights up to a change of the parameter.

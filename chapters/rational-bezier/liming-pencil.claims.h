@@ -256,10 +256,9 @@ CLAIM(limings_pencil_misses_one_conic)
 :title: The pencil of conics that three lines determine
 :zh: 由三条直线决定的二次曲线束
 :printed: The caption of figure 3.1.1: the pencil of conics that is determined by three lines.
-:holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings conics_touching_parallel_lines_are_limings
-  every_scaling_takes_the_normal_form
-:needs: flat_frame_has_no_tangent | § 3.1, (3.1.3): the conics touch $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$ | $R_0$ is not on $l_2$ and
-  $R_2$ not on $l_1$; three lines through one point have no such conics
+:holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings every_scaling_takes_the_normal_form
+:needs: flat_frame_has_no_tangent | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of the three lines | $R_0$, $R_1$, $R_2$ do not
+  lie on a line; three lines through one point have no such conics
 :meant: the text that refers to the figure, where $l_3$ joins the points of contact on $l_1$ and $l_2$ | One of the lines is the chord, the
   two others are tangents.
 :reading: every_scaling_takes_the_normal_form | The lines have these parts: then the pencil is determined by them, whatever factors
@@ -393,6 +392,8 @@ new number, unless the equations are scaled to fit.  And the frame needs the poi
   of (3.1.3).
 :needs: half_circle_has_no_frame | the line before: let $l_1=0$ and $l_2=0$ meet in $R_1$ | $l_1$ and $l_2$ meet.
   With parallel tangents, as of a half circle, there is no $R_1$.
+:needs: collinear_points_are_no_frame | the sentence itself: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not
+  lie on a line: they form an affine frame.
 :reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter; then it is always so, with one of the two
   signs.
 :reading: scaled_lines_change_lambda | $\lambda$ is the same number in both.  This is so, with the minus sign, when

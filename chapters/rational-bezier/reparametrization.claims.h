@@ -25,8 +25,8 @@ proof line by line; definition 3.2.2 of the $I_i$ is in the next one.
 :definition: yes
 :checked-by: fractional_change_runs_once
 :confirmed-by: projective_change_of_unit_interval_is_fractional
-:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
-  and $b$ have one sign: positive weights give it; otherwise the denominator can vanish inside $[0,1]$
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
+  weights are positive: so $a,b>0$; otherwise the denominator can vanish inside $[0,1]$
 :figure: reparametrization
 
 Every projective map of the parameter line that fixes $0$ and $1$ has this form.
@@ -108,8 +108,8 @@ CLAIM(projective_change_of_unit_interval_is_fractional)
   R_i\Big/\sum_{i=0}^nB_i^n(u)a^ib^{n-i}\omega_i$, $0\le u\le1$.
 :holds-by: fractional_change_term_by_term
 :confirmed-by: fractional_change_keeps_curve
-:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $a$
-  and $b$ have one sign: positive weights give it; otherwise both denominators can vanish inside $[0,1]$
+:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  $au+b(1-u)\ne0$: positive weights give it, as $a,b>0$; otherwise both denominators can vanish inside $[0,1]$
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega(t)\ne0$:
   otherwise there is no point $\mathbf R(t)$
 
@@ -155,45 +155,43 @@ CLAIM(fractional_change_keeps_curve)
 :::{claim} fractional_change_term_by_term
 :title: Each Bernstein term keeps its shape, in every degree
 :zh: 逐项变换:任意次数
-:given: variables $n,i,a,b,u$
-:let: $t=au/D$, $D=au+b(1-u)$
-:then: $D(1-t)=b(1-u)$ and $\frac{n-i}{i+1}\frac t{1-t}=\frac ab\cdot\frac{n-i}{i+1}\frac u{1-u}$
-:method: The first equality to the power $n$ is $D^nB_0^n(t)=b^nB_0^n(u)$.  In the second, $\frac{n-i}{i+1}\frac
-  t{1-t}$ is $B_{i+1}^n(t)/B_i^n(t)$; so, by induction on $i$, $D^nB_i^n(t)=a^ib^{n-i}B_i^n(u)$ for all $i\le n$.
-  Multiply by $\omega_i$ or $\omega_iR_i$ and add.  Outside the field $n$ and $i$ are random integers, and both this
-  result and the quotient of the binomial coefficients are compared with true ones.
+:given: any $a,b,u$ with $D=au+b(1-u)\ne0$; a product $E$ of powers of $D$ and a product $F$ of as many factors $t$ and $1-t$; $C$ a binomial coefficient
+:where: $au+b(1-u)\ne0$
+:let: $t=au/D$
+:then: $Dt=au$ and $D(1-t)=b(1-u)$; so $(ED)(Ft)=EF\cdot au$ and $(ED)(F(1-t))=EF\cdot b(1-u)$, and the same times $C\omega_i$ and times $C\omega_iR_i$
+:method: The steps of an induction on the number of factors, which begins with $E=F=1$: with $i$ factors $t$ and $n-i$ factors $1-t$ it is
+  $D^nt^i(1-t)^{n-i}=a^ib^{n-i}u^i(1-u)^{n-i}$, and so $D^nB_i^n(t)=a^ib^{n-i}B_i^n(u)$ for all $i\le n$.  Multiply by $\omega_i$ or $\omega_iR_i$ and add; $D^n$ cancels in
+  the quotient.  Outside the field $n$ and $i$ are random integers, and this result is computed with true binomial coefficients.
 :degrees: all
-:over: a b: coefficient of (3.2.10); i n: -
-:control: $b/a$ for $a/b$
+:over: a b: coefficient of (3.2.10); C E F: -
+:control: $a$ and $b$ exchanged
 :::
 */
 CLAIM(fractional_change_term_by_term)
 {
     num one = from_int(1), a = positive(T, "a", 0), b = positive(T, "b", 0), u = parameter(T, "u");
-    num rest = mul(b, sub(one, u)), D = add(mul(a, u), rest), t = G(old_parameter)(a, b, u);
-#if FIELD
-    num n = positive(T, "n", 0), i = positive(T, "i", 0);
-#else
-    int index = pick(T, 0, 6), degree = index + pick(T, 1, 6);
-    num n = from_int(degree), i = from_int(index), old[MAX_DEGREE + 1], new[MAX_DEGREE + 1];
-#endif
-    num choose = div(sub(n, i), add(i, one));
+    num ahead = mul(fault(T, a, b), u), behind = mul(fault(T, b, a), sub(one, u));
+    num D = add(mul(a, u), mul(b, sub(one, u))), t = G(old_parameter)(a, b, u), rest = sub(one, t);
 #if !FIELD
-    about(T, "the next binomial coefficient");
-    same(T, mul(choose, from_int(binomial(degree, index))), from_int(binomial(degree, index + 1)));
+    int index = pick(T, 0, 6), degree = index + pick(T, 1, 6);
+    num old[MAX_DEGREE + 1], new[MAX_DEGREE + 1];
     about(T, "D^n B_i^n(t) = a^i b^(n-i) B_i^n(u)");
     G(bernstein_basis)(degree, t, old);
     G(bernstein_basis)(degree, u, new);
     num factor = mul(G(power)(fault(T, a, b), index), G(power)(fault(T, b, a), degree - index));
     same(T, mul(G(power)(D, degree), old[index]), mul(factor, new[index]));
 #endif
-    about(T, "the first term, and the quotient of neighbouring terms");
-    same(T, mul(D, sub(one, t)), rest);
-    num quotient = fault(T, div(a, b), div(b, a)), w = positive(T, "w", 0), x = unknown(T, "x", 0);
-    num old_ratio = mul(choose, div(t, sub(one, t))), new_ratio = mul(quotient, mul(choose, div(u, sub(one, u))));
-    about(T, "the same times the weight of the next term, and times its point as well");
-    same(T, mul(w, old_ratio), mul(w, new_ratio));
-    same(T, mul(mul(w, x), old_ratio), mul(mul(w, x), new_ratio));
+    about(T, "D t and D (1-t)");
+    same(T, mul(D, t), ahead);
+    same(T, mul(D, rest), behind);
+    num E = unknown(T, "E", 0), F = unknown(T, "F", 0), product = mul(E, F), more = mul(E, D);
+    about(T, "one factor more");
+    same(T, mul(more, mul(F, t)), mul(product, ahead));
+    same(T, mul(more, mul(F, rest)), mul(product, behind));
+    num C = unknown(T, "C", 0), w = positive(T, "w", 0), x = unknown(T, "x", 0), term = mul(C, w);
+    about(T, "the same times the weight of the term, and times its point as well");
+    same(T, mul(term, mul(more, mul(F, t))), mul(term, mul(product, ahead)));
+    same(T, mul(mul(term, x), mul(more, mul(F, t))), mul(mul(term, x), mul(product, ahead)));
 }
 
 /*

@@ -38,7 +38,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
   ends, and with them the weights (so for $n=4,5$ as well: `congruent_curves_beyond_cubics`)
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: for "if"
-:needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n\ge3$ three edges not
+:needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n=3,4,5$ three edges not
   coplanar; the example has $n=2$ and points of a line, for $n=3$ nothing was tried
 :needs: palindromes_of_degree_four | the theorem | for $n=4$ the edges are not coplanar at one end at least; without it the
   point set, run backwards, can have other invariants
@@ -813,7 +813,7 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
   bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :meant: the theorem, which is stated for $n=2,3,4,5$ | The proof for $n=5$ contains those for the other $n$.
-:needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n\ge3$ three edges not
+:needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n=3,4,5$ three edges not
   coplanar; the example has $n=2$ and points of a line
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.

@@ -17,7 +17,7 @@ $r=0,\dots,n$, $i=r,\dots,n$; over $[a,b]$ everything depends on $\lambda=(c-a)/
 :::{statement} wang-ch3:3.3.2
 :title: The weights of the triangle
 :zh: 权因子的递推
-:printed: $\omega_i^r(c)=\omega_i$ for $r=0$, $i=0,1,\dots,n$; $\omega_i^r(c)=(1-\lambda)\omega_{i-1}^{r-1}(c)+\lambda\omega_i^{r-1}(c)$ for
+:printed: With $c\in(a,b)$, $\lambda=(c-a)/(b-a)$: $\omega_i^r(c)=\omega_i$ for $r=0$, $i=0,1,\dots,n$; $\omega_i^r(c)=(1-\lambda)\omega_{i-1}^{r-1}(c)+\lambda\omega_i^{r-1}(c)$ for
   $r=1,2,\dots,n$, $i=r,r+1,\dots,n$.
 :definition: yes
 :checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
@@ -108,7 +108,7 @@ the points: run first, it tells where the division is not possible.
 :::{statement} wang-ch3:3.3.3
 :title: The points of the triangle
 :zh: 顶点的递推
-:printed: $\mathbf R_i^r(c)=\mathbf R_i$ for $r=0$, $i=0,1,\dots,n$; else $\mathbf
+:printed: With $c\in(a,b)$, $\lambda=(c-a)/(b-a)$: $\mathbf R_i^r(c)=\mathbf R_i$ for $r=0$, $i=0,1,\dots,n$; else $\mathbf
   R_i^r(c)=\frac{(1-\lambda)\omega_{i-1}^{r-1}(c)}{(1-\lambda)\omega_{i-1}^{r-1}(c)+\lambda\omega_i^{r-1}(c)}\mathbf
   R_{i-1}^{r-1}(c)+\frac{\lambda\omega_i^{r-1}(c)}{(1-\lambda)\omega_{i-1}^{r-1}(c)+\lambda\omega_i^{r-1}(c)}\mathbf R_i^{r-1}(c)$.
 :definition: yes

@@ -133,7 +133,7 @@ CLAIM(designed_curves_cross_no_more)
 :method: Counted by Descartes' rule in the Bernstein basis and by Sturm's theorem.
 :degrees: 1..5
 :scope: the stated polygons and weights
-:argued: every n | For all curves: an end on the line is a piece of its own, every change of sign of the heights gives a piece between, and the roots
+:argued: every n, all points and all positive weights | An end on the line is a piece of its own, every change of sign of the heights gives a piece between, and the roots
   inside are at most $V$.
 :control: the pieces without those at the ends
 :::

@@ -104,7 +104,7 @@ CLAIM(corrected_kernel_is_its_formula)
   second_function_decreases
 :class: false
 :corrected: with $B_3=(35+5\beta-5\beta t)(1-t)^4t^3$ and $B_4=(35+5\beta t)(1-t)^3t^4$, two digits, the other six as printed,
-  the properties 2.2, 2.3, 2.4 and 2.7 hold for every $\beta$, 2.4 and 2.7 with the indices corrected, and 2.1 and 2.5 for
+  the properties 2.2, 2.3 and 2.4 hold for every $\beta$, and 2.7, which is about $\beta=0$, 2.4 and 2.7 with the indices corrected; 2.1 and 2.5 for
   $-\frac{21}4\le\beta\le1$; 2.6 does not hold.  With the other six as printed these two functions are the only ones that
   are mirror images with linear factors and make the sum 1
 :corrected-by: two_digits_are_corrected mirror_images_with_sum_one_are_unique corrected_functions_sum_to_one
@@ -489,7 +489,7 @@ difference of its sides has the factor $1-2t$, and in the middle of the interval
 :printed: $B_{0,7}(1-t)=B_{7,7}(t)$, $B_{1,7}(1-t)=B_{6,7}(t)$, $B_{2,7}(1-t)=B_{5,7}(t)$, $B_{3,7}(1-t)=B_{4,7}(t)$
 :refuted-by: printed_middle_functions_are_no_mirror_images
 :class: misprint
-:corrected: for $i=0,1,2$ as printed; $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$, so that the fourth equation needs
+:corrected: for $i=0,1,2$ as printed; for the printed $\hat B_3$ and $\hat B_4$ it is $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$, so that the fourth equation needs
   $\beta=0$; the corrected functions (`sec-2-properties`) have all four for every $\beta$
 :corrected-by: printed_outer_functions_are_mirror_images corrected_functions_are_mirror_images
 :figure: eight_functions
@@ -676,7 +676,7 @@ CLAIM(functions_of_lower_degree_vanish_at_the_beginning)
   $B_{j,5}'''(1)=0$ for $j\le3$; $B_{j,7}^{(k)}(1)=0$ for $j\le6-k$, $k=4,5,6$
 :refuted-by: derivative_of_degree_five_does_not_vanish
 :class: misprint
-:corrected: $\hat B_j^{(k)}(1)=0$ for $k+j\le6$: the index 5 of $B_{4,5}$ and the others is 7
+:corrected: for the printed functions $\hat B_j$, and for the corrected ones, $\hat B_j^{(k)}(1)=0$ for $k+j\le6$: the index 5 of $B_{4,5}$ and the others is 7
 :corrected-by: functions_vanish_to_their_orders_at_the_ends
 :figure: degree_five_at_the_end
 :::

@@ -95,7 +95,7 @@ With the printed functions and with the corrected ones it is a Bézier curve of 
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
 :then: the curve of degree $n+1$ of the points of `shape_bezier_points` is $\sum P_iB_{i,n}(t)$; they are the rows of
   `shape_matrix` applied to the $P_i$; and
-    $Q_k-P_{k-1}=\bigl(\frac{n+1-k}{n+1}+\beta\frac{a_k}{\binom{n+1}k}\bigr)(P_k-P_{k-1})$ for $1\le k\le n$
+    $Q_k-P_{k-1}=\bigl(\frac{n+1-k}{n+1}+\beta\frac{a_k}{\binom{n+1}k}\bigr)(P_k-P_{k-1})$ for $1\le k\le n$, where $a_k=0$ exactly for $k=\frac{n+1}2$
 :method: The points as coefficients of Bernstein polynomials of degree $n+1$ against the formula of the functions,
   everything a variable.
 :degrees: 2..7 sampled 14
@@ -122,6 +122,11 @@ CLAIM(bezier_points_divide_the_edges)
             same(T, Q[k * dim + c], R[k * dim + c]);
             if (k == 0 || k > n)
                 continue;
+            about(T, "the middle point stays, the others do not");
+            if (2 * k == n + 1)
+                vanishes(T, G(shift)(n, k));
+            else
+                G(must_be_positive)(T, mul(G(shift)(n, k), from_int(n + 1 - 2 * k)));
             about(T, "the ratio on the edge");
             /* Q_k - P_{k-1} = ((n+1-k)/(n+1) + β a_k/C(n+1,k)) (P_k - P_{k-1}) */
             num ratio = add(from_ratio(n + 1 - k, n + 1), mul(beta, div(G(shift)(n, k), G(choose)(n + 1, k))));
@@ -675,7 +680,7 @@ CLAIM(reversed_polygon_reverses_the_curve)
 :refuted-by: curve_is_not_its_own_reverse
 :class: misprint
 :corrected: $\tilde B(1-t)=\sum P_{7-i}B_{i,7}(1-t)=\sum P_jB_{j,7}(t)=q(t)$, where $\tilde B$ on the left is the curve of the
-  reversed polygon and the functions are the corrected ones
+  reversed polygon, $q$ that of the polygon, and the functions are the corrected ones
 :corrected-by: reversed_polygon_reverses_the_curve
 :figure: two_directions_two_curves
 :degree: 7

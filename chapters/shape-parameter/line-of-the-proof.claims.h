@@ -215,7 +215,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
 :printed: the number of intersections of $B_1(t)$ with $L$ is Zero$(0,1)\{\sum_{j=0}^7B_{j,7}(t)(P_j-Q)\cdot u\}$
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
 :class: false
-:corrected: for the corrected functions (`sec-2-properties`) the function is $(q(t)-Q)\cdot u$ and its roots in $(0,1)$ are the parameters $t$ of common
+:corrected: for the corrected functions (`sec-2-properties`) the function is $(q(t)-Q)\cdot u$ with the curve $q$, and its roots in $(0,1)$ are the parameters $t$ of common
   points with $0<t<1$; with the printed functions the function is $(q(t)-Q)\cdot u$ only for $\beta=0$ or $Q\cdot u=0$
 :corrected-by: line_function_of_the_curve
 :figure: crossings_off_the_polygon

@@ -19,18 +19,19 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
 :printed: when $\beta$ grows the curve approximates the control polygon better
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
 :class: false
-:corrected: with the corrected functions (`sec-2-properties`), for fixed $t$ the point moves with $\beta$ evenly on the straight line through it with the direction
-  $b_1-(s\,b_0+t\,b_2)$, where $b_0,b_1,b_2$ is level $n-2$ of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
+:corrected: with the corrected functions (`sec-2-properties`), for fixed $t$ the point moves with $\beta$ evenly, or not at all, on the straight line through it with
+  the direction $b_1-(s\,b_0+t\,b_2)$, $s=1-t$, where $b_0,b_1,b_2$ is level 5 of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
   triangle $b_0b_1b_2$, its weight at $b_1$ does not fall and those at $b_0$ and $b_2$ do not grow; if the polygon is convex and turns by
   at most two right angles, each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1
-:corrected-by: curve_is_a_blend_of_three_points blend_is_convex_from_minus_two_to_one
+:corrected-by: curve_is_a_blend_of_three_points corrected_functions_sum_to_one blend_is_convex_from_minus_two_to_one
   turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
 :confirmed-by: growing_beta_pushes_by_the_turns
 :figure: closer_or_not
 :striking: 11
+:degree: 7
 
-Outward is to the right of $q'$, or along it, where the polygon turns to the left: $q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$ with
-the factors of the claims, none of them positive in the range.
+The weights are the functions of the family for $n=2$, whose sum is 1.  Outward is, for the curve $q$, to the right of $q'$, or along it, where the polygon turns to the left:
+$q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$, $e_k=P_{k+1}-P_k$, with the factors of the claims, none of them positive in the range.
 :::
 */
 

@@ -115,8 +115,8 @@ three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, the
 :corrected-by: derivative_of_a_function_factors each_function_rises_then_falls
   third_function_falls_then_rises_below_the_range linear_factor_adds_a_change_of_sign
 :meant: the heading, one peak | Each function has exactly one local maximum on $[0,1]$.
-:reading: third_function_falls_then_rises_below_the_range | local maxima in the open interval only, for $i=1,\dots,6$: then
-  each has one, below $-\frac{21}4$, too
+:reading: third_function_falls_then_rises_below_the_range | local maxima in the open interval only, for $i=1,\dots,6$ and
+  $-7\le\beta<-\frac{21}4$: then each has one there, too
 :figure: negative_function
 
 $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$.

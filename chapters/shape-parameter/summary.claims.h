@@ -22,13 +22,15 @@ the range from $-\frac{21}4$ to 1.
   control polygon
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
 :class: false
-:corrected: with the corrected functions (`sec-2-properties`) $\beta$ moves each inner Bézier point $Q_k$ on the line of
-  its edge $P_{k-1}P_k$, and each point of the curve on a straight line, evenly; if the polygon is convex and turns by at most two right angles, outward for $-\frac72\le\beta\le1$
+:corrected: with the corrected functions (`sec-2-properties`) $\beta$ moves each inner Bézier point $Q_k$ of degree 8, $k=1,\dots,7$, but the middle one, $Q_4$,
+  which stays, on the line of its edge $P_{k-1}P_k$, and each point of the curve on a straight line, evenly or not at all; if the polygon is convex and turns by at most two right angles, outward for $-\frac72\le\beta\le1$
 :corrected-by: bezier_points_divide_the_edges points_move_evenly_with_beta curve_is_a_blend_of_three_points
   turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
 :confirmed-by: growing_beta_pushes_by_the_turns
 :figure: closer_or_not
 :degree: 7
+
+Outward has the sense of `property-3.5`.
 :::
 
 :::{statement} deng-zhang-2022:sec-6-features
@@ -104,9 +106,9 @@ Adjustable as a parametrized curve; sets of points are not compared.
 :zh: 控制顶点与 Bernstein 基唯一确定 Bezier 曲线
 :printed: once the control points and the Bernstein basis are given, the Bézier curve or surface is uniquely determined; to change the shape of the curve one has
   to adjust its control points
-:holds-by: decasteljau_evaluates_bezier_curve surface_kernel_computes_the_double_sum
-:confirmed-by: bernstein_basis_is_independent
-:argued: every n | By its definition the sum has one value for given points and parameters, whatever the degree.
+:holds-by: decasteljau_evaluates_bezier_curve
+:confirmed-by: surface_kernel_computes_the_double_sum bernstein_basis_is_independent
+:argued: every n | By its definition the sum, or for a surface the double sum, has one value for given points and parameters, whatever the degrees.
 :figure: curves_for_several_beta
 
 As a parametrized curve of the same degree that of other points is another one (`bernstein_basis_is_independent`).

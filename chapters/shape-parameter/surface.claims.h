@@ -394,8 +394,9 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
 :zh: 形状可调的曲面
 :printed: the tensor product gives a surface whose shape can be adjusted
 :holds-by: nets_that_do_not_move
-:hypothesis: surface_that_does_not_move | $P_{ij}$ is not constant on each of the blocks $i,j\le3$, $i\le3<j$, $j\le3<i$ and
-  $i,j\ge4$: with the corrected functions; with the printed ones not $P_{ij}=k_ik_jv$ with $k=(0,0,0,0,5,1,1,1)$ and some $v$
+:hypothesis: surface_that_does_not_move | not constant on four blocks with the corrected functions, and not $k_ik_jv$ with the printed
+  ones: these nets $P_{ij}$, the blocks being $i,j\le3$, $i\le3<j$, $j\le3<i$ and $i,j\ge4$, $k=(0,0,0,0,5,1,1,1)$ and $v$ anything, have one surface for
+  all $\beta$
 :figure: shape_surface
 
 One $\beta$ is taken in both directions.  Decided is that the surface, with its parameters, is not the same for all $\beta$; single

@@ -105,6 +105,17 @@ static char *within_of(const struct book *book)
     return rows;
 }
 
+/* The table that all claims share, character by character: it is longer than the string literals that every compiler takes. */
+static void put_within(FILE *out, const struct book *book)
+{
+    char *rows = within_of(book);
+    fputs("\nstatic const char within[] = {", out);
+    for (const char *at = rows; *at != '\0'; at++)
+        fprintf(out, "%s'\\x%02x',", (at - rows) % 16 == 0 ? "\n    " : " ", (unsigned)(unsigned char)*at);
+    fputs("\n    '\\0'};\n", out);
+    free(rows);
+}
+
 static void put_argument(FILE *out, const char *argued)
 {
     struct link link = read_link(argued != NULL ? argued : "", PLACE_TEXT);
@@ -130,7 +141,7 @@ static void put_claim(FILE *out, const struct book *book, const struct block *b,
     put_option(out, "defines", b, "defines");
     put_field(out, "over", over_of(book, b));
     put_field(out, "letter", letter_of(book, b, &d));
-    put_field(out, "within", within_of(book));
+    fputs(", .within = within", out);
     put_argument(out, value_of(b, "argued"));
     put_field(out, "chapter", b->chapter);
     put_field(out, "file", b->file);
@@ -156,6 +167,7 @@ static void put_claims(FILE *out, const struct book *book)
     for (int k = 0; k < book->blocks; k++)
         if (book->block[k].kind == CLAIM_BLOCK && book->block[k].entries > 0)
             put_data(out, &book->block[k], k);
+    put_within(out, book);
     fputs("\nstatic const claim claims[] = {\n", out);
     for (int k = 0; k < book->blocks; k++)
         if (book->block[k].kind == CLAIM_BLOCK && is_compiled(book, &book->block[k]))

@@ -1201,6 +1201,9 @@ static void test_conditions_reach_the_verdict(void **state)
                    LINKS(BY("inside"), {NEEDS, NULL, "", "", "$0<t<1$"}, {NEEDS, NULL, "", "", "P ≠ 0"})); /* said */
     assert_finding("n", PROVED, "n = 1 to 4; 0 ≤ t ≤ 1; all weights", "",
                    LINKS(BY("closed"), {NEEDS, NULL, "", "", "$0\\le t\\le1$"}));
+    assert_finding(
+        "n", PROVED, "0 < t < 1; all weights", "",
+        LINKS(BY("inside"), {NEEDS, NULL, "", "", "0 ≤ t ≤ 1"})); /* by the table it is wider than what is said */
     assert_finding("n", PROVED, "0 < t < 1; all weights, where $0<t\\le1$, and $0<t<12$, and $0<t$", "",
                    LINKS(BY("inside"), {NEEDS, NULL, "", "", "$0<t\\le1$"}, {NEEDS, NULL, "", "", "$0<t<12$"},
                          {NEEDS, NULL, "", "", "$0<t$"}));
