@@ -469,7 +469,7 @@ CLAIM(five_rounded_up_gives_another_digit)
     found(T, "y(t)", exact);
     found(T, "left above", above);
     found(T, "left below", below);
-    about(T, "whether it is rounded, fives up");
+    about(T, "whether y is the exact value, rounded with fives up");
     agree(T, sign_q(above) > 0 && sign_q(below) >= 0);
 }
 #endif

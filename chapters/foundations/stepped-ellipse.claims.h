@@ -155,7 +155,7 @@ CLAIM(second_step_of_two_has_no_angle)
     num form = sub(G(norm_squared)(2, P), mul(epsilon, mul(P[0], P[1])));
     found(T, "cos²(Δθ/2)", square);
     found(T, "x² + y² - εxy", form);
-    about(T, "whether the second is the first times some r²");
+    about(T, "whether x² + y² - εxy is cos²(Δθ/2) times some r²");
     agree(T, is_zero_q(form) || sign_q(square) * sign_q(form) > 0);
 }
 #endif
