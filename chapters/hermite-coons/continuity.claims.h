@@ -30,8 +30,8 @@ being continuous, one that has their limits without being continuous itself.
 :holds-by: a_factor_raises_the_order_of_a_zero
 :confirmed-by: equal_derivatives_leave_a_power
 :argued: | On either side $f,f',\dots,f^{(k)}$ tend to their values at $x_0$.  Where the left and the right derivatives are equal there is one derivative, order
-  by order, and it tends to one value from both sides, so that it is continuous at $x_0$.  The claim is about polynomials alone: two that are joined so may be any
-  two whose difference has the factor $(x-x_0)^{k+1}$.
+  by order, and it tends to one value from both sides, so that it is continuous at $x_0$.  The claim says which polynomials are joined so: those whose
+  difference has the factor $(x-x_0)^{k+1}$.
 :hypothesis: equal_derivatives_are_not_continuous | on either side the function has $k$ continuous derivatives up to $x_0$; as
   pieces that are polynomials have
 :hypothesis: equal_limits_do_not_make_a_continuous_function | the values are counted as the derivatives of order 0
