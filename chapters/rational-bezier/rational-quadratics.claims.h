@@ -414,7 +414,6 @@ constant could be seen.
 :then: $R^*(u)=R(t)$; $t$ grows from 0 to 1 with $u$: $0\le t\le1$, and $u=\frac t{t+k(1-t)}$
 :method: Identities in $\omega_0,\omega_1,\omega_2,\omega_0^*,\omega_1^*$, from which $\omega_2^*$ follows, one coordinate
   of the points, and $u$ between the ends, where $t$ and $1-t$ have positive coefficients; and at both ends.
-:scope: 0 ≤ u ≤ 1
 :over: v#: weights; u: -
 :control: $k$ upside down
 :::
