@@ -60,12 +60,12 @@ class Room:
 class Exact(Room):
     """A test in the order of the time that it takes."""
     tests = {name: [f"proofs-tests/unit/{name}"] for name in (
-        "test_sums test_resultant test_polynomial test_sign test_sturm test_total_positivity test_crossings test_ends test_record test_field test_numbers "
+        "test_sums test_resultant test_cylinders test_polynomial test_sign test_sturm test_total_positivity test_crossings test_ends test_record test_field test_numbers "
         "test_linear test_hull test_simplex test_fraction test_exact_curve test_comparison test_command test_region test_roots test_svg test_judge test_stationary_parts test_stationary test_expression").split()}
     slow = {"test_exact_memory": ["proofs-tests/unit/test_exact_memory"], "test_kernels": ["proofs-tests/unit/test_kernels"]}
     KNOWS = {"interval": "test_ends test_numbers", "rational": "test_numbers", "field": "test_field test_fraction test_numbers", "fraction": "test_fraction",
              "polynomial": "test_polynomial", "region": "test_region", "slots": "test_region", "recorder": "test_record", "parallel": "test_region",
-             "spline": "test_exact_curve"}
+             "spline": "test_exact_curve", "algebraic": "test_cylinders"}
 
     def units(self):
         found = {c: [c] for c in sources("exact/number/*.c", "exact/decide/*.c", "exact/record/*.c", "exact/curve/*.c", "exact/fit/*.c")}
