@@ -3,7 +3,7 @@
     faults.py ROOM [--per-function N] [--one-in N] [--seed WORD] [--file PATH,...] [--function NAME,...] [--shard K/N] [--jobs N]
               [--list] [--kinds] [--equivalent] [--again LOG] [--slow] [--chapters LIST] [--types LIST] [--register FILE]
 
-ROOM is kernels, exact, expression, code, check, judge, core or fit.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
+ROOM is kernels, exact, expression, code, check, judge, core, fit or files.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
 gets a switch, so that one build holds as many faults as do not overlap; the environment says which of them is on.  A fault is tried
 by the tests of its room, those of its file first, until one fails, crashes or takes many times its usual time; in the kernels by
 the claims that define the kernel, by all claims, and by the unit test under both sanitizers, which sees what is read or written
@@ -158,6 +158,19 @@ class Core(Room):
         return found
 
 
+class Files(Room):
+    """`cagd fit` and the files that it reads and writes."""
+    configured, targets = ["-DCAGD_ONLY_CHAPTERS=fitting", "-DCAGD_TYPES=RATIONAL"], ["cagd"]
+    tests = {name: [sys.executable, ROOT / "proofs-tests/cli/test_fit.py", "cagd", ROOT, "-f", *name.split()] for name in ("Mistakes", "Input", "Files", "Results Fits")}
+    KNOWS = {"picture": "Files", "drawings": "Files", "dxf": "Files", "verdict": "Results Fits", "json": "Results Fits", "fit": "Results Fits"}
+
+    def units(self):
+        return {c: [c] for c in sources("cli/fit/*.c")}
+
+    def first(self, file):
+        return [self.KNOWS.get(pathlib.Path(file).stem, "Input")]
+
+
 class Fit(Room):
     optimised = "-O2"
     tests = {"test_fit_statistics": ["proofs-tests/unit/test_fit_statistics"], "test_fit_parts": ["proofs-tests/unit/test_fit_parts"],
@@ -179,7 +192,7 @@ class Kernels(Room):
         return {"exact/kernels_q.c": sources("core/kernels/*.tmpl.h")}
 
 
-ROOMS = {"kernels": Kernels, "exact": Exact, "expression": Expression, "code": Code, "check": Check, "judge": Judge, "core": Core, "fit": Fit}
+ROOMS = {"kernels": Kernels, "exact": Exact, "expression": Expression, "code": Code, "check": Check, "judge": Judge, "core": Core, "fit": Fit, "files": Files}
 
 
 def equivalents():
