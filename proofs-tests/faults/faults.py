@@ -186,7 +186,7 @@ class Fit(Room):
 class Kernels(Room):
     """Judged by cagd verify, and by unit tests what no claim sees."""
     optimised, targets = "-O0", ["cagd"]
-    tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_kernels_checked", "test_exact_curve")}
+    tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_overlap", "test_kernels_checked", "test_exact_curve")}
 
     def units(self):
         return {"exact/kernels_q.c": sources("core/kernels/*.tmpl.h")}
