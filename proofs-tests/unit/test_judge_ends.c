@@ -527,6 +527,36 @@ static void a_node_and_itself_are_counted(void **state)
     free_results(r, 1);
 }
 
+/* Sums of one number and of others that are equal to it: of some the text begins as that of others, "["+",0,1" and "["+",0,12". */
+enum { ALIKE = 13 };
+static void nodes_that_begin_alike_q(trial *T)
+{
+    num_q first = from_int_q(1), sum[ALIKE];
+    for (int k = 0; k < ALIKE; k++)
+        sum[k] = add_q(first, mul_q(from_ratio_q(1, 3), from_int_q(3)));
+    for (int i = 0; i < ALIKE; i++)
+        for (int j = i + 1; j < ALIKE; j++)
+            same_q(T, sum[i], fault(T, sum[j], first));
+}
+static void nodes_are_compared_to_their_end(void **state)
+{
+    (void)state;
+    const claim c = {
+        .name = "alike", .scope = "", .kind = DECISION, .body = {[RATIONAL_TYPE] = nodes_that_begin_alike_q}};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    struct recorded_case recorded[MOST_RECORDED];
+    int count;
+    char *text = certificate_of_claim(r, &count, recorded);
+    assert_int_equal(count, 1);
+    assert_int_equal(recorded[0].compared, ALIKE * (ALIKE - 1) / 2);
+    assert_int_equal(recorded[0].of_the_same, 0);
+    assert_non_null(strstr(text, "[\"+\",0,3]"));
+    assert_non_null(strstr(text, "[\"+\",0,35]"));
+    free(text);
+    free_results(r, 1);
+}
+
 /* Of whatever role the first link is, a comma stands before the second. */
 static void links_are_a_list(void **state)
 {
@@ -683,6 +713,7 @@ int main(void)
                                        unit(what_is_apart_stays_so),
                                        unit(an_instance_compares_something),
                                        unit(a_node_and_itself_are_counted),
+                                       unit(nodes_are_compared_to_their_end),
                                        unit(a_fault_of_an_early_case_is_kept),
                                        unit(every_degree_has_an_instance),
                                        unit(entries_beyond_the_bits_of_an_int),
