@@ -206,6 +206,36 @@ static void split_at_a_knot_of_every_multiplicity(void **state)
                 }
 }
 
+/* A knot that was inserted is taken out again, of every multiplicity that it has then and in every degree, 0 among them. */
+static void a_knot_in_and_out(void **state)
+{
+    (void)state;
+    enum { P = 4, KNOTS = 3 * (P + 2), POINTS = KNOTS * MOST_D };
+    num_q u[KNOTS], v[KNOTS], back[KNOTS + 1], d[POINTS], c[POINTS + 1], defect[MOST_D + 1];
+    for (int p = 0; p <= P; p++)
+        for (int s = 1; s <= p + 1; s++)
+            for (int dim = 1; dim <= MOST_D; dim++) {
+                int count = 2 * (p + 2) + s - 1, n = count - p - 1;
+                for (int i = 0; i < count; i++)
+                    u[i] = from_int_q(i < p + 2 ? i - 50 : i < p + 1 + s ? 3 : i + 50);
+                num_q t = from_int_q(3);
+                fill(n * dim, given);
+                bspline_insert_q(&(struct spline_q){p, n, dim, u, given, NULL}, p + s, t, v, d);
+                guard(back, count), guard(c, n * dim), guard(defect, dim);
+                struct spline_q longer = {p, n + 1, dim, v, d, NULL};
+                bspline_remove_q(&longer, p + 1 + s, s, back, c, defect);
+                is_guarded(back, count), is_guarded(c, n * dim), is_guarded(defect, dim);
+                same(count, u, back);
+                same(n * dim, given, c);
+                for (int k = 0; k < dim; k++)
+                    assert_true(cagd_is_zero_q(defect[k]));
+                int moved = p + 1; /* a point on which the knot counts */
+                d[moved * dim] = add_q(d[moved * dim], from_int_q(1));
+                bspline_remove_q(&longer, p + 1 + s, s, back, c, defect);
+                assert_false(cagd_is_zero_q(defect[0]));
+            }
+}
+
 /* The knots and points of a periodic spline repeat, also where one period has as few as its degree. */
 static void a_period_is_repeated(void **state)
 {
@@ -237,6 +267,7 @@ int main(void)
                                        unit(what_is_not_read),
                                        unit(leading_coefficients_that_are_zero),
                                        unit(split_at_a_knot_of_every_multiplicity),
+                                       unit(a_knot_in_and_out),
                                        unit(a_period_is_repeated)};
     return run_unit_tests(tests);
 }
