@@ -604,6 +604,7 @@ static void pages_are(void **state)
     SAYS(EXIT_AS_EXPECTED, show, &tables, "show-table.txt", "book:table");
     SAYS(EXIT_AS_EXPECTED, show, &tables, "show-entry.txt", "book:table-row-1-1");
     SAYS(EXIT_AS_EXPECTED, show, &tables, "show-edited.txt", "edited:1");
+    SAYS(EXIT_AS_EXPECTED, show, &tables, "show-misprint.txt", "book:table-row-1-2");
     SAYS(EXIT_AS_EXPECTED, ledger, &tables, "ledger-table.txt", "-j1");
     SAYS(EXIT_AS_EXPECTED, ledger, &tables, "ledger-table.json", "-j1", "--json");
 }
