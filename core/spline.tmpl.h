@@ -286,7 +286,7 @@ KERNEL cagd_status G(spline_split)(const struct G(spline) * s, num t, const stru
     int mu = n + p - rights, first = mu - p, dim = G(spline_points_of_span)(s, mu, H);
     G(bspline_split)
     (spline(p, p + 1, dim, s->knots + first, H), p, mu + 1 - lefts, t, ends, L, ends + 2 * MAX_DEGREE + 2, Q);
-    G(spline_copy)(s, 0, 0, lefts < first ? lefts : first, left);
+    G(spline_copy)(s, 0, 0, first, left); /* no knot is there more than p+1 times: lefts >= first */
     if (lefts > first)
         status = G(spline_put)(s, first, lefts - first, L, left, where);
     if (status == CAGD_OK)

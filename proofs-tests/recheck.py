@@ -250,7 +250,7 @@ def sturm_inside(p, a, b):
     count = changes(a, -1) - changes(b, 1)
     return count - (b is not None and p_value(Q, p, b) == 0)
 def count_roots(p, a, b, left, right):
-    require(p, "roots of the zero polynomial")
+    require(p and (a is None or b is None or a <= b), "roots of the zero polynomial, or from right to left")
     total = {"distinct": 0, "counted": 0, "crossings": 0, "touches": 0}
     for f, m in squarefree(p):
         inside = sturm_inside(f, a, b) if a is None or b is None or a < b else 0
@@ -263,13 +263,10 @@ def count_roots(p, a, b, left, right):
         total["crossings" if m % 2 else "touches"] += inside
     return total
 def sign_pattern(p, a, b, left, right):
-    if not p:
+    require(a < b or a == b and left and right, "the sign on no interval")
+    if not p or a == b and p_value(Q, p, a) == 0:
         return 0
-    r = count_roots(p, a, b, left, right)
-    if a == b:
-        v = p_value(Q, p, a)
-        return 0 if v == 0 else 1 if v > 0 else 4
-    k = 2
+    r, k = count_roots(p, a, b, left, right), 2
     while (v := p_value(Q, p, a + Fraction(b - a, k))) == 0:
         k += 1
     positive = v > 0
@@ -628,14 +625,14 @@ def attempt(check, *arguments):
         check(*arguments)
     except (Wrong, Cannot) as e:
         return e
-    except (KeyError, IndexError, TypeError, ValueError, ZeroDivisionError, AttributeError) as e:
+    except (KeyError, IndexError, TypeError, ValueError, ZeroDivisionError, AttributeError, RecursionError) as e:
         return Wrong(f"malformed: {type(e).__name__} {e}")
 def load(path, listed=None):
     try:
         content = path.read_bytes()
         require(listed is None or hashlib.sha256(content).hexdigest() == listed["sha256"], "another file than the manifest says")
         return recheck_format.read(content.decode())
-    except (OSError, ValueError) as e:
+    except (OSError, ValueError, RecursionError) as e:
         raise Wrong(f"{path.name} cannot be read: {e}") from e
 
 def read_manifest(path):

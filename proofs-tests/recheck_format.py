@@ -37,6 +37,7 @@ number = lambda x: text(x) and re.fullmatch(r"-?[0-9]+(/[0-9]+)?", x)
 inputs = lambda x: several(several(text, 2))(x) and all(number(value) for _, value in x)
 program = lambda a: type(a) is list and all(whole(x) or text(x) for x in a) and (a[:1] not in (["c"], ["o"]) or all(map(number, a[1:])))
 end = lambda x: type(x) is int and x >= -1
+single = lambda x: several(end, 2)(x) and x[0] >= 0 and x[1] == -1
 def several(of, *lengths):
     return lambda x: type(x) is list and all(map(of, x)) and (not lengths or len(x) in lengths)
 def one_of(words):
@@ -49,8 +50,8 @@ FACTS = {
     "order": [{"of": several(end, 2), "is": sign}],
     "equal": [{"of": several(end, 2), "is": bit}],
     "pequal": [{"of": several(end, 2), "is": bit}],
-    "whole": [{"of": several(end, 2), "is": bit}],
-    "degree": [{"of": several(end, 2), "is": end}],
+    "whole": [{"of": single, "is": bit}],
+    "degree": [{"of": single, "is": end}],
     "degrees": [{"of": several(node, 2), "is": several(end, 2)}],
     "roots": [{**POLYNOMIAL, "distinct": count, "counted": count, "crossings": count, "touches": count}, {**POLYNOMIAL, "distinct": count}],
     "sign": [{**POLYNOMIAL, "is": lambda x: count(x) and x <= 5}],

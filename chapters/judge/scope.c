@@ -2,6 +2,7 @@
 #include "chapters/judge/scope.h"
 #include "chapters/judge/memory_text.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,7 +114,7 @@ static int is_one_instance(const scope *s)
     for (int k = 0; k < s->ranges; k++)
         if (s->range[k].low < s->range[k].high)
             return 0;
-    return is_stated(s) && s->kinds == 0;
+    return s->kinds == 0;
 }
 
 /* Whether the one is about what is stated, and the other one about more. */
@@ -319,7 +320,7 @@ void free_scope(scope *s)
 static int means(const char *pattern, size_t m, const char *name, size_t n)
 {
     size_t stem = n;
-    while (stem > 0 && name[stem - 1] >= '0' && name[stem - 1] <= '9')
+    while (stem > 0 && isdigit((unsigned char)name[stem - 1]))
         stem--;
     if (pattern[m - 1] == '#')
         return stem < n && m - 1 == stem && strncmp(pattern, name, stem) == 0;

@@ -5,6 +5,7 @@
 WHOLE_RUN is the folder that whole_run.py wrote: a run over everything.
 """
 import copy
+import fractions
 import hashlib
 import json
 import pathlib
@@ -97,6 +98,12 @@ def cases(document):
         return None
 
 
+def value(nodes, i):
+    """Of a node that is a constant, or a difference of such."""
+    op, *a = nodes[i]
+    return fractions.Fraction(a[0]) if op == "c" else value(nodes, a[0]) - value(nodes, a[1])
+
+
 class Tampered(unittest.TestCase):
     """One statement with a claim that is proved, one with signs of coefficients, one with root counts, one that fails.
     The certificates are those of the run over everything, in which nothing is wrong."""
@@ -152,6 +159,7 @@ class Tampered(unittest.TestCase):
     PROVED, SIGNS, ROOTS = "elevation_keeps_rational_curve", "curve_points_are_convex_combinations", "roots_are_at_most_sign_changes"
     LINES, HULL = "designed_curves_cross_no_more", "curve_points_have_hull_certificates"
     WHOLE, MINORS = "third_way_closes_for_two_radii", "totally_positive_exactly_in_the_range"
+    SIGN, ROOTS_HALF = "weight_zero_hides_the_vertex", "roots_must_be_counted_up_to_one"
     COST, DEGREES = "step_costs_additions_only", "degree_of_the_equation_of_the_foot"
     FAILS = "printed_second_derivative_of_quotient_is_wrong"
     STATEMENT, STATEMENT_ID = "wang-ch3/prop-3.2.4-step-2.json", "wang-ch3:prop-3.2.4-step-2"
@@ -254,6 +262,28 @@ class Tampered(unittest.TestCase):
         fact(self.WHOLE, "whole", lambda f: f.update({"is": True}))
         fact(self.DEGREES, "degrees", lambda f: f["is"].__setitem__(0, f["is"][0] + 1))
         fact(self.DEGREES, "degrees", lambda f: f["is"].reverse())
+
+    def test_intervals(self):
+        """From right to left there is no interval, and a sign on none; one number is an interval with both of its ends alone."""
+        def interval(name, kind, change):
+            def on_last(c):
+                f = self.last(c["steps"], "fact", kind)
+                self.assertLess(*(value(c["nodes"], i) for i in f["from"]))
+                change(f)
+            self.tamper(name, on_last)
+        for name, kind in ((self.SIGN, "sign"), (self.ROOTS_HALF, "roots")):
+            interval(name, kind, lambda f: f["from"].reverse())
+        interval(self.SIGN, "sign", lambda f: f.update({"from": 2 * f["from"][:1], "with_ends": [1, 0]}))
+        self.tamper(self.WHOLE, lambda c: self.last(c["steps"], "fact", "whole")["of"].__setitem__(1, 0))
+        self.tamper(self.WHOLE, lambda c: self.last(c["steps"], "fact", "whole")["of"].reverse())
+
+    def test_what_is_nested_without_end(self):
+        deep = 100000
+        for name in (self.STATEMENT, claim(self.ROOTS)):
+            self.refuses(name, lambda d: deep * "[" + deep * "]")
+            self.refuses(name, lambda d: json.dumps(d)[:-1] + ',"more":' + deep * '{"a":' + "0" + deep * "}" + "}")
+        for formula in (deep * "!" + "0", deep * "(" + "1" + deep * ")", deep * "1?" + "1" + deep * ":1"):
+            self.tamper(self.FORMULA, lambda c: self.last(c["steps"], "formula").update(formula=formula))
 
     def test_formulas(self):
         """A condition is what its formula says of the facts before it."""

@@ -134,7 +134,7 @@ class Language(unittest.TestCase):
         return made
 
     def test_several_files_and_an_archive(self):
-        members = [self.bitcode(name) for name in ["archived.c", "archived_too.c", "archived_twice.c"]]
+        members = [self.bitcode(name) for name in ["archived.c", "archived_too.c", "archived_twice.c", "archived_alias.c", "archived_number.c"]]
         self.exact("several.c", FOLDER / "other.c", self.archive("archive.a", members))
 
     def test_several_files_of_cpp(self):
@@ -158,13 +158,29 @@ class Language(unittest.TestCase):
         (folder / "text.a").write_text("no archive at all")
         thin = self.archive("away.a", [self.bitcode("archived_too.c")], "rcT")
         (folder / "archived_too.o").unlink()
-        for file, says in [(self.archive("native.a", [native]), "the member native.o of the archive is no bitcode"), (cut, "ends too early"),
-                           (folder / "text.a", "no archive"), (thin, "archived_too.o"), (native, "a source in C or C.., bitcode or an archive")]:
+        for file, code, says in [(self.archive("native.a", [native]), 1, "the member native.o of the archive is no bitcode"), (cut, 1, "ends too early"),
+                                 (folder / "text.a", 1, "no archive"), (thin, 1, "archived_too.o"),
+                                 (native, 2, "a source in C or C.., bitcode or an archive")]:
             with self.subTest(file.name):
                 made = subprocess.run([COMPILER, "-o", folder / "object.so", source, file], capture_output=True, text=True)
-                self.assertIn(made.returncode, (1, 2))
+                self.assertEqual(made.returncode, code)
                 self.assertRegex(made.stderr, says)
                 self.assertEqual(made.stderr.count("\n"), 1)
+
+    def test_names_of_sources(self):
+        """Those that a source defines and those that it misses, against nm and a compiler that makes code of the machine."""
+        folder = pathlib.Path(self.folder.name)
+        sources = ["several.c", "other.c", "archived.c", "archived_too.c", "archived_alias.c", "archived_number.c"]
+        subprocess.run([COMPILER, "--names", folder / "list", "-o", folder / "object.bc", *[FOLDER / name for name in sources]], check=True)
+        expected = []
+        for name in sources:
+            subprocess.run(["cc", "-O0", "-c", FOLDER / name, "-o", folder / "native.o"], check=True)
+            nm = subprocess.run(["nm", folder / "native.o"], capture_output=True, text=True, check=True).stdout
+            expected += (["U" if kind == "U" else "T", name] for kind, name in (line.split()[-2:] for line in nm.splitlines()))
+        said = [line.split() for line in (folder / "list").read_text().splitlines() if "." not in line]  # those are of the compiler
+        self.assertEqual(sorted(said), sorted(expected))
+        self.assertIn(["T", "hidden"], said)
+        self.assertIn(["U", "from_an_alias"], said)
 
     def test_long_double_as_double(self):
         for program, answer in self.lines("rational", "refused.c", flags=["-mlong-double-64"]):

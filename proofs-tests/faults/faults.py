@@ -3,7 +3,7 @@
     faults.py ROOM [--per-function N] [--one-in N] [--seed WORD] [--file PATH,...] [--function NAME,...] [--shard K/N] [--jobs N]
               [--list] [--kinds] [--equivalent] [--again LOG] [--slow] [--chapters LIST] [--types LIST] [--register FILE]
 
-ROOM is kernels, exact, expression, code, check, judge, core or fit.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
+ROOM is kernels, exact, expression, code, check, judge, core, fit or files.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
 gets a switch, so that one build holds as many faults as do not overlap; the environment says which of them is on.  A fault is tried
 by the tests of its room, those of its file first, until one fails, crashes or takes many times its usual time; in the kernels by
 the claims that define the kernel, by all claims, and by the unit test under both sanitizers, which sees what is read or written
@@ -60,12 +60,12 @@ class Room:
 class Exact(Room):
     """A test in the order of the time that it takes."""
     tests = {name: [f"proofs-tests/unit/{name}"] for name in (
-        "test_sums test_resultant test_polynomial test_sign test_sturm test_total_positivity test_crossings test_ends test_record test_field test_numbers "
+        "test_sums test_resultant test_cylinders test_polynomial test_sign test_sturm test_total_positivity test_crossings test_ends test_record test_field test_numbers "
         "test_linear test_hull test_simplex test_fraction test_exact_curve test_comparison test_command test_region test_roots test_svg test_judge test_stationary_parts test_stationary test_expression").split()}
     slow = {"test_exact_memory": ["proofs-tests/unit/test_exact_memory"], "test_kernels": ["proofs-tests/unit/test_kernels"]}
     KNOWS = {"interval": "test_ends test_numbers", "rational": "test_numbers", "field": "test_field test_fraction test_numbers", "fraction": "test_fraction",
              "polynomial": "test_polynomial", "region": "test_region", "slots": "test_region", "recorder": "test_record", "parallel": "test_region",
-             "spline": "test_exact_curve"}
+             "spline": "test_exact_curve", "algebraic": "test_cylinders"}
 
     def units(self):
         found = {c: [c] for c in sources("exact/number/*.c", "exact/decide/*.c", "exact/record/*.c", "exact/curve/*.c", "exact/fit/*.c")}
@@ -158,6 +158,19 @@ class Core(Room):
         return found
 
 
+class Files(Room):
+    """`cagd fit` and the files that it reads and writes."""
+    configured, targets = ["-DCAGD_ONLY_CHAPTERS=fitting", "-DCAGD_TYPES=RATIONAL"], ["cagd"]
+    tests = {name: [sys.executable, ROOT / "proofs-tests/cli/test_fit.py", "cagd", ROOT, "-f", *name.split()] for name in ("Mistakes", "Input", "Files", "Results Fits")}
+    KNOWS = {"picture": "Files", "drawings": "Files", "dxf": "Files", "verdict": "Results Fits", "json": "Results Fits", "fit": "Results Fits"}
+
+    def units(self):
+        return {c: [c] for c in sources("cli/fit/*.c")}
+
+    def first(self, file):
+        return [self.KNOWS.get(pathlib.Path(file).stem, "Input")]
+
+
 class Fit(Room):
     optimised = "-O2"
     tests = {"test_fit_statistics": ["proofs-tests/unit/test_fit_statistics"], "test_fit_parts": ["proofs-tests/unit/test_fit_parts"],
@@ -173,13 +186,13 @@ class Fit(Room):
 class Kernels(Room):
     """Judged by cagd verify, and by unit tests what no claim sees."""
     optimised, targets = "-O0", ["cagd"]
-    tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_kernels_checked", "test_exact_curve")}
+    tests = {name: [f"proofs-tests/unit/{name}"] for name in ("test_overlap", "test_kernels_checked", "test_exact_curve")}
 
     def units(self):
         return {"exact/kernels_q.c": sources("core/kernels/*.tmpl.h")}
 
 
-ROOMS = {"kernels": Kernels, "exact": Exact, "expression": Expression, "code": Code, "check": Check, "judge": Judge, "core": Core, "fit": Fit}
+ROOMS = {"kernels": Kernels, "exact": Exact, "expression": Expression, "code": Code, "check": Check, "judge": Judge, "core": Core, "fit": Fit, "files": Files}
 
 
 def equivalents():

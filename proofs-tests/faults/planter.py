@@ -40,6 +40,8 @@ ROUNDING = {"MPFR_RNDD": "MPFR_RNDU", "MPFR_RNDU": "MPFR_RNDD"}
 HOUSEKEEPING = re.compile(r"clear|free|unlock|lock|destroy|close|cleanup|region_drop|thread_end|assert|fprintf|printf|fputs|abort")
 # Their two operands may change places.
 COMMUTE = re.compile(r"(?:^|_)(?:add|mul|min|max|fmin|fmax|equal|gcd|lcm|hull|hypot)(?:_[a-z]|_p|_si|_fmpz)?$")
+# The two texts may, where the answer is asked to be 0 or not.
+COMPARES = {"strcmp", "strncmp", "memcmp"}
 WHOLE = {"int", "long", "unsigned int", "unsigned", "unsigned long", "size_t", "char", "unsigned char", "slong", "ulong", "long long",
          "mp_bitcnt_t", "_Bool", "ptrdiff_t"}
 REAL = {"double", "float", "long double"}
@@ -352,13 +354,14 @@ class Planter:
                 if self.tree.declared & {now, f"__g{now}", f"cagd_{now}", f"{now}_q"}:
                     self.replace("the opposite function", node, now + self.source(node)[len(name):])
                 break
+        asks_whether_equal = node.parent is not None and node.parent.op in ("==", "!=")
         for a, b in zip(arguments, arguments[1:]):
             if a.type == b.type and a.end < b.start and self.source(a) != self.source(b):
                 between = self.text[a.end:b.start].decode()
                 whole = self.source(node)
                 here = lambda x, y: whole[:a.start - node.start] + x + between + y + whole[b.end - node.start:]
                 if len(whole) == len(whole.encode()):
-                    if not COMMUTE.search(name):
+                    if not COMMUTE.search(name) and not (asks_whether_equal and name in COMPARES):
                         self.replace("operands exchanged", node, here(self.source(b), self.source(a)))
                     self.replace("operand repeated", node, here(self.source(a), self.source(a)))
         for a in arguments:

@@ -190,9 +190,47 @@ static void values_show_all_signs(void **state)
     assert_true(b.varies && b.zeros == 0 && cagd_equal_q(b.least, from_ratio_q(1, 3)));
 }
 
+/* Of more zeros than there is room for it has the first ones; of two that are 2^-39 apart it has the middle once. */
+static void many_zeros_and_near_ones(void **state)
+{
+    (void)state;
+    for (int zeros = CAGD_CODE_MOST_ZEROS - 1; zeros <= CAGD_CODE_MOST_ZEROS + 5; zeros++) {
+        char text[600] = "1";
+        for (int k = zeros; k > 0; k--)
+            snprintf(text + strlen(text), sizeof text - strlen(text), "*(t - %d/7)", k * k);
+        struct cagd_code_border b = cagd_code_border(text, &point, 0, 0);
+        int known = zeros < CAGD_CODE_MOST_ZEROS ? zeros : CAGD_CODE_MOST_ZEROS;
+        assert_int_equal(b.zeros, known);
+        assert_int_equal(b.rational, known);
+        assert_int_equal(b.values, 4 * known + 1);
+        for (int k = 0; k < known; k++) {
+            int there = 0;
+            for (int j = 0; j < b.values; j++)
+                there += cagd_equal_q(b.at[j], from_ratio_q((k + 1) * (k + 1), 7));
+            assert_int_equal(there, 1);
+        }
+    }
+    static const struct {
+        long more;
+        int values;
+    } list[] = {{-1, 7}, {0, 7}, {1, 9}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        char text[100];
+        snprintf(text, sizeof text, "(t - 1)*(t - 1 - %ld/%ld)", (1L << 21) + list[k].more, 1L << 60);
+        struct cagd_code_border b = cagd_code_border(text, &point, 0, 0);
+        assert_int_equal(b.zeros, 2);
+        assert_int_equal(b.rational, 2);
+        assert_int_equal(b.values, list[k].values);
+        for (int j = 0; j < b.values; j++)
+            for (int m = 0; m < j; m++)
+                assert_false(cagd_equal_q(b.at[j], b.at[m]));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(expressions_have_their_values), unit(borders_are_zeros),
-                                       unit(zeros_of_drawn_products), unit(values_show_all_signs)};
+                                       unit(zeros_of_drawn_products), unit(values_show_all_signs),
+                                       unit(many_zeros_and_near_ones)};
     return run_unit_tests(tests);
 }

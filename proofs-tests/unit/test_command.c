@@ -176,8 +176,25 @@ static const statement few_statements[] = {
      .links = LINKS({READING, "square_is_product", "because it is so", "one way", NULL},
                     {READING, "square_is_product", NULL, "another way", NULL})},
     {.id = NULL}};
+/* The entries of a table: one that holds, one with a misprint, one under a hypothesis, one that nobody decided, with a print of several lines. */
+static const statement table_statements[] = {
+    {STATEMENT("table-row-1-1", "book", 1, "", "", "as in [book; paper] and by xpaper]", "picture"),
+     .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL})},
+    {STATEMENT("table-row-1-2", "book", 2, "misprint", "x = 3", "not [mypaper], nor the book", ""), .striking = 1,
+     .links = LINKS({REFUTED_BY, "three_is_four", NULL, "", NULL}, {CORRECTED_BY, "three_squared", NULL, "", NULL})},
+    {STATEMENT("table-row-2-1", "book", 3, "", "y = 5", "", ""),
+     .links = LINKS({HOLDS_BY, "sum_is_double", NULL, "", NULL}, {HYPOTHESIS, "three_is_four", NULL, "$x > 0$", NULL})},
+    {STATEMENT("table-row-2-2, which is said in words that are longer than a line, so that what follows stands below "
+               "them, and not below the verdict",
+               "book", 4, "", "", "", ""),
+     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL})},
+    {STATEMENT("1", "edited", 5, "", "", "", ""), .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL})},
+    {.id = NULL}};
+static const char *const printed_ids[] = {"book:table-row-1-2", "edited:1", "book:1", NULL}, *const every_ids[] = {
+                                                                                                 "edited:1", NULL};
 static const source sources[] = {{"book", "Ann Author, Bob Author", "A book", "书", "1999", "Press", "chapter 1", "n"},
                                  {"paper", "unknown", "A paper", "", "unknown", "", "pages 1 to 9", "n"},
+                                 {"edited", "Carl Author (editor)", "Collected", "", "2001", "Press", "", "n"},
                                  {.key = NULL}};
 static const chapter chapters[] = {{"first", "The first"}, {.name = NULL}};
 static const figure figures[] = {{.name = NULL}};
@@ -335,7 +352,7 @@ static void exit_status_is_that_of_the_verdicts(void **state)
 static void statements_are_counted(void **state)
 {
     (void)state;
-    char folder[] = "/tmp/test_command_XXXXXX", command[64], path[64], *out;
+    char folder[] = "/tmp/test_command_XXXXXX", command[128], path[64], *out;
     assert_non_null(mkdtemp(folder));
     assert_int_equal(CALL(verify, &lost, &out, "-j1"), EXIT_AS_EXPECTED);
     free(out);
@@ -354,7 +371,17 @@ static void statements_are_counted(void **state)
     assert_int_equal(system(command), 0);
     assert_int_equal(CALL(verify, &good, &out, "-j1", "--certificates", folder), EXIT_INTERNAL);
     free(out);
+    /* What cannot be written is told, whatever is not as expected besides. */
+    assert_int_equal(CALL(verify, &lost, &out, "-j1", "--report", folder, "--junit", "/dev/full"), EXIT_INTERNAL);
+    free(out);
+    /* A file that always has the same name is promised before anything is decided. */
     snprintf(path, sizeof path, "%s/manifest.json", folder);
+    assert_int_equal(CALL(verify, &good, &out, "-j1", "--certificates", folder, "--junit", path), EXIT_USAGE);
+    free(out);
+    snprintf(command, sizeof command, "rm -rf '%s' && mkdir -p '%s'", folder, path);
+    assert_int_equal(system(command), 0);
+    assert_int_equal(CALL(verify, &good, &out, "-j1", "--certificates", folder), EXIT_USAGE);
+    free(out);
     snprintf(command, sizeof command, "rm -r '%s'", folder);
     assert_int_equal(system(command), 0);
 }
@@ -551,6 +578,37 @@ static void pages_say(void **state)
     SAYS(EXIT_AS_EXPECTED, show, &good, "show-statement.json", "--json", "book:3");
 }
 
+/* The pages of all statements, of all claims and of a table, as they are laid out. */
+static void pages_are(void **state)
+{
+    (void)state;
+    char *all = NULL, *out;
+    size_t size;
+    FILE *file = open_memstream(&all, &size);
+    assert_non_null(file);
+    for (const statement *s = good_statements; s->id != NULL; s++) {
+        assert_int_equal(CALL(show, &good, &out, s->id), EXIT_AS_EXPECTED);
+        fputs(out, file);
+        free(out);
+    }
+    for (const claim *c = good_claims; c->name != NULL; c++) {
+        assert_int_equal(CALL(show, &good, &out, c->name), EXIT_AS_EXPECTED);
+        fputs(out, file);
+        free(out);
+    }
+    fclose(file);
+    assert_expected("show-good.txt", all);
+    free(all);
+    const cagd_register tables = {good_claims, table_statements, chapters, figures, sources,
+                                  NULL,        printed_ids,      every_ids};
+    SAYS(EXIT_AS_EXPECTED, show, &tables, "show-table.txt", "book:table");
+    SAYS(EXIT_AS_EXPECTED, show, &tables, "show-entry.txt", "book:table-row-1-1");
+    SAYS(EXIT_AS_EXPECTED, show, &tables, "show-edited.txt", "edited:1");
+    SAYS(EXIT_AS_EXPECTED, show, &tables, "show-misprint.txt", "book:table-row-1-2");
+    SAYS(EXIT_AS_EXPECTED, ledger, &tables, "ledger-table.txt", "-j1");
+    SAYS(EXIT_AS_EXPECTED, ledger, &tables, "ledger-table.json", "-j1", "--json");
+}
+
 /* The example of a statement, under the word for it: what one instance of a definition is, and of others that one is enough. */
 static void examples_of_statements(void **state)
 {
@@ -642,6 +700,7 @@ int main(void)
         unit(ledger_says),
         unit(what_few_claims_have),
         unit(pages_say),
+        unit(pages_are),
         unit(examples_of_statements),
         unit(files_say),
     };

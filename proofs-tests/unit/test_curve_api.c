@@ -240,6 +240,20 @@ static void what_has_no_value_is_told(void **state)
     c = cagd_curve_new(&f, NULL, NULL);
     assert_int_equal(cagd_curve_point(c, 0.5, CAGD_RIGHT, out), CAGD_OVERFLOW);
     cagd_curve_free(c);
+    /* in every dimension, as a point and with derivatives, in degree 5 as in degree 1 */
+    const double knot[12] = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}, at[18] = {0}, signs[6] = {1, 1, 1, -1, -1, -1};
+    for (int dim = 1; dim <= 3; dim++)
+        for (int p = 1; p <= 5; p += 2) {
+            const cagd_spline pole = {p, p + 1, dim, knot + 5 - p, at, signs + (5 - p) / 2};
+            c = cagd_curve_new(&pole, NULL, NULL);
+            assert_non_null(c);
+            assert_int_equal(cagd_curve_point(c, 0.5, CAGD_RIGHT, out), CAGD_UNDEFINED);
+            assert_int_equal(cagd_curve_points(c, 2, t, CAGD_RIGHT, out, &where), CAGD_UNDEFINED);
+            assert_int_equal(where, 1);
+            assert_int_equal(cagd_curve_derivatives(c, 0.5, CAGD_RIGHT, 1, out), CAGD_UNDEFINED);
+            assert_int_equal(cagd_curve_point(c, 0.25, CAGD_RIGHT, out), CAGD_OK);
+            cagd_curve_free(c);
+        }
 }
 
 int main(void)

@@ -131,6 +131,24 @@ static void combinations_are_inside_in_every_dimension(void **state)
                                          out = cagd_hull_membership(d, count, P, beyond);
             assert_true(in.inside && cagd_hull_certificate_holds(d, count, P, x, in));
             assert_true(!out.inside && cagd_hull_certificate_holds(d, count, P, beyond, out));
+            for (int i = 0; i < d; i++) { /* each coordinate counts */
+                num_q moved[4], normal[4];
+                for (int c = 0; c < d; c++) {
+                    moved[c] = c == i ? add_q(x[c], from_ratio_q(1, 100)) : x[c];
+                    normal[c] = q(c == i);
+                }
+                assert_false(cagd_hull_certificate_holds(d, count, P, moved, in));
+                num_q most = P[i], above[4];
+                for (int j = 1; j < count; j++)
+                    most = cagd_compare_q(most, P[d * j + i]) < 0 ? P[d * j + i] : most;
+                for (int c = 0; c < d; c++)
+                    above[c] = c == i ? add_q(most, from_ratio_q(1, 100)) : x[c];
+                struct cagd_hull_certificate axis = {.inside = 0, .normal = normal, .offset = most};
+                assert_true(cagd_hull_certificate_holds(d, count, P, above, axis));
+                assert_false(cagd_hull_certificate_holds(d, count, P, x, axis));
+                axis.offset = sub_q(most, from_ratio_q(1, 100));
+                assert_false(cagd_hull_certificate_holds(d, count, P, above, axis));
+            }
             /* a certificate of the one proves nothing about the other */
             assert_false(cagd_hull_certificate_holds(d, count, P, beyond, in));
             assert_false(cagd_hull_certificate_holds(d, count, P, x, out));

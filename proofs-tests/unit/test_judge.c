@@ -1000,6 +1000,7 @@ static const claim
     arc = {.name = "arc", .scope = "the stated arc", .over = "w#: weights; t"},
     below = {.name = "below", .scope = "every t below 1", .over = "w#: weights; t"},
     five = {.name = "five", .scope = "", .over = "x#: points; w#: weights; h#: shifts; gamma; t"},
+    last = {.name = "last", .scope = "", .over = "w#: weights; t"},
     maps = {.name = "maps", .scope = "all maps", .within = order},
     designed = {.name = "designed", .scope = "the stated polygons"},
     regular = {.name = "regular", .scope = "", .where = "P ≠ 0; 0 < t < 1", .over = "w#: weights; t"},
@@ -1042,6 +1043,7 @@ static const claim_result scoped[] = {
     RUN_IN_FIELD(primed, 0, 0, primed_names, one_gap),
     {.claim = &bare, .as_expected = 1, .evidence = DECIDED, .computed = DECIDED, .by = {[RATIONAL_TYPE] = {.ran = 1}}},
     RUN_IN_FIELD(five, 1, 4, five_names, no_names),
+    RUN_IN_FIELD(last, 1, 9, one_weight, no_names),
     RUN_IN_FIELD(shifts, 1, 9, shift_names, no_names),
     RUN_IN_FIELD(letters, 1, 9, shift_names, no_names),
     RUN_IN_FIELD(others, 1, 9, shift_names, no_names),
@@ -1175,6 +1177,10 @@ static void test_data_that_nobody_has_together_are_told_by_step(void **state)
     assert_finding("n", PROVED, "n = 1 to 4; 0 ≤ t ≤ 1; all weights, points and shifts, every γ", "",
                    LINKS(BY("closed"), BY("letters"))); /* of t a phrase speaks */
     assert_finding("n", PROVED, "n = 2 to 8; each step for its own data", "", LINKS(BY("plain"), BY("others")));
+    assert_finding("n", PROVED, "n = 1 to 4; 0 < t < 1; all points; each step for its own other data", "",
+                   LINKS(BY("said"), BY("five"))); /* data without a name are no others */
+    assert_finding("n", PROVED, "n = 1 to 4; all points, weights and shifts, every γ and t", "",
+                   LINKS(BY("five"), BY("last"))); /* both have t */
     assert_finding("n", PROVED, "n = 1 to 4; all points, weights and shifts, every γ and t", "",
                    LINKS(BY("five"), BY("letters"))); /* one claim has all */
     assert_finding("n", PROVED, "n = 1 to 4; all points, shifts and weights, every γ and t", "",

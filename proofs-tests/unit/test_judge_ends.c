@@ -48,6 +48,23 @@ static void a_nan_is_the_worst(void **state)
     forget_exhibits(T.shown, T.exhibits);
 }
 
+/* The width that counts is that of the difference, whichever side it comes from. */
+static void the_widest_difference_counts(void **state)
+{
+    (void)state;
+    static const claim c = {.name = "wide", .scope = ""};
+    num_i one = from_int_i(1), third = from_ratio_i(1, 3), wide = mul_i(sub_i(third, third), from_int_i(7));
+    for (int turned = 0; turned < 2; turned++) {
+        trial T = {.claim = &c};
+        same_i(&T, turned ? add_i(one, wide) : one, turned ? one : add_i(one, wide));
+        assert_true(T.worst > width_i(one) && T.worst >= width_i(wide));
+        double worst = T.worst;
+        same_i(&T, one, one);
+        assert_true(T.worst == worst);
+        forget_exhibits(T.shown, T.exhibits);
+    }
+}
+
 /* ---- cases --------------------------------------------------------------------------------------------- */
 
 static void unable_in_degree_one_i(trial *T)
@@ -364,9 +381,10 @@ static void a_letter_stands_by_itself(void **state)
     static const struct {
         const char *phrase;
         int says;
-    } list[] = {{"0 < t < 1", 1}, {"$t>0$", 1},   {"t > 0", 1},    {"s < t", 1},    {"f(t) > 0", 1}, {"st, t > 0", 1},
-                {"\\tau > 0", 0}, {"\\t > 0", 0}, {"at s > 0", 0}, {"s > st", 0},   {"ts < 1", 0},   {"t_1 > 0", 0},
-                {"t(s) > 0", 0},  {"βt > 0", 0},  {"tβ > 0", 0},   {"every st", 0}, {"every t", 1},  {"of t alone", 0}};
+    } list[] = {{"0 < t < 1", 1}, {"$t>0$", 1},   {"t > 0", 1},    {"s < t", 1},   {"f(t) > 0", 1},  {"st, t > 0", 1},
+                {"\\tau > 0", 0}, {"\\t > 0", 0}, {"at s > 0", 0}, {"s > st", 0},  {"ts < 1", 0},    {"t_1 > 0", 0},
+                {"{t} > 0", 1},   {"|t| > 0", 1}, {"~t~ > 0", 1},  {"@t > 0", 1},  {"[t] > 0", 1},   {"t(s) > 0", 0},
+                {"βt > 0", 0},    {"tβ > 0", 0},  {"every st", 0}, {"every t", 1}, {"of t alone", 0}};
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         char name[] = "t";
         const claim c = {.name = "letter", .scope = list[k].phrase, .over = "t"};
@@ -480,6 +498,65 @@ static void what_is_recorded_is_counted(void **state)
     free_results(r, 1);
 }
 
+/* Of 40 nodes; those that are compared have numbers of two digits. */
+static void nodes_of_two_digits_q(trial *T)
+{
+    num_q sum = from_int_q(0), other = from_int_q(1);
+    for (int k = 1; k <= 16; k++)
+        sum = add_q(sum, from_int_q(k));
+    other = add_q(other, from_int_q(fault(T, 135, 0)));
+    same_q(T, sum, sum);
+    same_q(T, sum, other);
+    same_q(T, other, other);
+}
+static void a_node_and_itself_are_counted(void **state)
+{
+    (void)state;
+    const claim c = {
+        .name = "itself", .scope = "", .kind = DECISION, .body = {[RATIONAL_TYPE] = nodes_of_two_digits_q}};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    struct recorded_case recorded[MOST_RECORDED];
+    int count;
+    char *text = certificate_of_claim(r, &count, recorded);
+    assert_int_equal(count, 1);
+    assert_int_equal(recorded[0].compared, 3);
+    assert_true(recorded[0].nodes > 20);
+    assert_int_equal(recorded[0].of_the_same, 2);
+    free(text);
+    free_results(r, 1);
+}
+
+/* Sums of one number and of others that are equal to it: of some the text begins as that of others, "["+",0,1" and "["+",0,12". */
+enum { ALIKE = 13 };
+static void nodes_that_begin_alike_q(trial *T)
+{
+    num_q first = from_int_q(1), sum[ALIKE];
+    for (int k = 0; k < ALIKE; k++)
+        sum[k] = add_q(first, mul_q(from_ratio_q(1, 3), from_int_q(3)));
+    for (int i = 0; i < ALIKE; i++)
+        for (int j = i + 1; j < ALIKE; j++)
+            same_q(T, sum[i], fault(T, sum[j], first));
+}
+static void nodes_are_compared_to_their_end(void **state)
+{
+    (void)state;
+    const claim c = {
+        .name = "alike", .scope = "", .kind = DECISION, .body = {[RATIONAL_TYPE] = nodes_that_begin_alike_q}};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    struct recorded_case recorded[MOST_RECORDED];
+    int count;
+    char *text = certificate_of_claim(r, &count, recorded);
+    assert_int_equal(count, 1);
+    assert_int_equal(recorded[0].compared, ALIKE * (ALIKE - 1) / 2);
+    assert_int_equal(recorded[0].of_the_same, 0);
+    assert_non_null(strstr(text, "[\"+\",0,3]"));
+    assert_non_null(strstr(text, "[\"+\",0,35]"));
+    free(text);
+    free_results(r, 1);
+}
+
 /* Of whatever role the first link is, a comma stands before the second. */
 static void links_are_a_list(void **state)
 {
@@ -495,6 +572,69 @@ static void links_are_a_list(void **state)
         free(text);
         free_statement_result(&r);
     }
+}
+
+/* A control that asks for what is not there is no control. */
+static void asks_in_its_control_q(trial *T)
+{
+    if (T->planted)
+        (void)given_q(T, "y");
+    same_q(T, from_int_q(1), from_int_q(1));
+}
+static void a_mistaken_control_catches_nothing(void **state)
+{
+    (void)state;
+    const claim c = {
+        .name = "mistaken", .scope = "", .kind = DECISION, .body = {[RATIONAL_TYPE] = asks_in_its_control_q}};
+    claim_result *r = judge_one(&c);
+    assert_int_equal(r->by[RATIONAL_TYPE].outcome, HOLDS);
+    assert_false(r->by[RATIONAL_TYPE].control_caught);
+    assert_false(r->as_expected);
+    free_results(r, 1);
+}
+
+/* The scope of several claims meets another one. */
+static void what_is_apart_stays_so(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        scope s = {.within = NULL};
+        const scope other = {.apart = k & 1, .mixed = k >> 1};
+        for (int times = 0; times < 2; times++) {
+            meet_scope(&s, &other);
+            assert_int_equal(s.apart, k & 1);
+            assert_int_equal(s.mixed, k >> 1);
+        }
+        meet_scope(&s, &(scope){.within = NULL});
+        assert_int_equal(s.apart, k & 1);
+        assert_int_equal(s.mixed, k >> 1);
+        free_scope(&s);
+    }
+}
+
+/* In degree 1 it compares nothing, which is no failure that an instance shows; from degree 2 on it is false. */
+static void compares_from_two_on_q(trial *T)
+{
+    num_q x = unknown_q(T, "x", 0);
+    if (T->degree > 1)
+        same_q(T, x, add_q(x, from_int_q(1)));
+}
+static void an_instance_compares_something(void **state)
+{
+    (void)state;
+    const claim c = {.name = "empty at first",
+                     .scope = "",
+                     .degree_low = 1,
+                     .degree_high = 3,
+                     .degree_sampled = 3,
+                     .body = {[RATIONAL_TYPE] = compares_from_two_on_q}};
+    exhibit *shown;
+    int count;
+    find_witness(&c, &shown, &count);
+    assert_true(count > 0);
+    assert_string_equal(shown[0].name, "n");
+    assert_string_equal(shown[0].value, "2");
+    forget_exhibits(shown, count);
 }
 
 static void is_two_q(trial *T) { same_q(T, unknown_q(T, "x", 0), from_int_q(2)); }
@@ -568,6 +708,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {unit(in_a_crowded_field_nothing_is_refuted),
                                        unit(a_nan_is_the_worst),
+                                       unit(the_widest_difference_counts),
+                                       unit(a_mistaken_control_catches_nothing),
+                                       unit(what_is_apart_stays_so),
+                                       unit(an_instance_compares_something),
+                                       unit(a_node_and_itself_are_counted),
+                                       unit(nodes_are_compared_to_their_end),
                                        unit(a_fault_of_an_early_case_is_kept),
                                        unit(every_degree_has_an_instance),
                                        unit(entries_beyond_the_bits_of_an_int),

@@ -205,7 +205,8 @@ static void floors(void **state)
     static const struct {
         const char *a;
         long floor;
-    } list[] = {{"0", 0}, {"3", 3}, {"-3", -3}, {"7/2", 3}, {"-7/2", -4}, {"1/3", 0}, {"-1/3", -1}, {"0.999999999999999999999", 0}};
+    } list[] = {{"0", 0},     {"3", 3},   {"-3", -3},   {"7/2", 3},
+                {"-7/2", -4}, {"1/3", 0}, {"-1/3", -1}, {"0.999999999999999999999", 0}};
     region_mark m = region_open();
     for (size_t k = 0; k < sizeof list / sizeof *list; k++)
         assert_true(cagd_equal_q(cagd_floor_q(from_string_q(list[k].a)), from_int_q(list[k].floor)));
@@ -236,6 +237,18 @@ static void roots(void **state)
     expect_fault(FAULT_UNABLE);
     root_q(2, q(-1));
     expect_fault(FAULT_UNABLE);
+    for (int n = 1; n <= 5; n++) { /* of rationals below 0 there is none, odd or not */
+        root_q(n, q(-1));
+        expect_fault(FAULT_UNABLE);
+        root_q(n, from_ratio_q(-32, 243));
+        expect_fault(FAULT_UNABLE);
+    }
+    root_q(0, q(1));
+    expect_fault(FAULT_UNABLE);
+    root_q(-2, q(1));
+    expect_fault(FAULT_UNABLE);
+    assert_true(cagd_equal_q(root_q(5, from_ratio_q(32, 243)), from_ratio_q(2, 3)));
+    assert_true(cagd_is_zero_q(root_q(3, q(0))) && cagd_equal_q(root_q(1, q(7)), q(7)));
     root_i(2, from_int_i(-1));
     expect_fault(FAULT_UNDEFINED);
     field_open(2);

@@ -248,6 +248,49 @@ static void edges(void **state)
     expect_fault(FAULT_UNDEFINED);
 }
 
+/* By trial: the least denominator with a number inside, and of these numbers the least in size. */
+static num_q simplest_by_trial(num_q a, num_q b)
+{
+    for (long n = 1;; n++)
+        for (long m = 0; m <= 40 * n; m++)
+            for (int sign = 1; sign >= -1; sign -= 2) {
+                num_q x = from_ratio_q(sign * m, n);
+                if (cagd_compare_q(a, x) < 0 && cagd_compare_q(x, b) < 0)
+                    return x;
+            }
+}
+static void the_simplest_number_between(void **state)
+{
+    (void)state;
+    enum { MOST = 7 };
+    num_q end[2 * MOST * MOST * 3];
+    int ends = 0;
+    for (long n = 1; n <= MOST; n++)
+        for (long m = -3 * n; m <= 3 * n; m++) {
+            int known = 0;
+            num_q x = from_ratio_q(m, n);
+            for (int k = 0; k < ends; k++)
+                known |= cagd_equal_q(end[k], x);
+            if (!known)
+                end[ends++] = x;
+        }
+    for (int i = 0; i < ends; i++)
+        for (int j = 0; j < ends; j++) {
+            region_mark mark = region_open();
+            if (cagd_compare_q(end[i], end[j]) < 0 && (i + j) % 3 == 0) {
+                num_q x = cagd_simplest_between(end[i], end[j]);
+                if (!cagd_equal_q(x, simplest_by_trial(end[i], end[j])))
+                    fail_msg("%s between %s and %s", to_string_q(x), to_string_q(end[i]), to_string_q(end[j]));
+            }
+            region_drop(mark);
+        }
+    num_q huge = from_power_of_two(200), next = add_q(huge, from_int_q(1));
+    assert_true(cagd_equal_q(cagd_simplest_between(huge, next), add_q(huge, from_ratio_q(1, 2))));
+    assert_true(cagd_equal_q(cagd_simplest_between(neg_q(next), neg_q(huge)), sub_q(neg_q(huge), from_ratio_q(1, 2))));
+    assert_true(
+        cagd_equal_q(cagd_simplest_between(from_int_q(0), div_q(from_int_q(1), huge)), div_q(from_int_q(1), next)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -261,6 +304,7 @@ int main(void)
         unit(a_bound_that_is_needed),
         unit(a_sign_that_is_hidden_at_an_end),
         unit(edges),
+        unit(the_simplest_number_between),
     };
     return run_unit_tests(tests);
 }
