@@ -355,7 +355,9 @@ CAGD_API cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_o
  * side of the curve, in space at less than a right angle, and the probability that by chance so many or more do, 1/2 each.
  *
  * And the part of the curve that passes its points by most: of 4, 8, 16, ... neighbours, up to a half of all, the mean distance over its standard
- * deviation, where distances count up to 2.5 of them, outliers and ends do not, and these neighbours do not scatter more than all; the
+ * deviation, where distances count up to 2.5 of them, outliers and ends do not, and the scatter is that of all or of these and 32 on
+ * either side, whichever is larger; what the bend of the
+ * curve makes of it is taken off, and where it turns on a radius of less than five deviations nothing is said; the
  * probability is that by chance any of all these windows has such a mean, at most. */
 typedef struct cagd_fit_runs {
     int pairs, same;

@@ -1627,6 +1627,15 @@ class Fits(Case):
                 self.assertTrue(d["quality"]["good"])
                 self.assertGreater(len(d["curve"]["points"]), 4)
 
+    def test_a_part_that_only_scatters_more_is_not_passed_by(self):
+        """Errors along y alone are six times as large across a wave at its crests, and the crests turn within three deviations: chance, not structure."""
+        for count in "7", "12":
+            r = random.Random(0)
+            rows = [[x, math.sin(6 * x) + r.gauss(0, 0.01)] for x in (k / 5000 for k in range(5001))]
+            q = self.fit(table(rows), "--control-points", count, "--no-verify")["quality"]
+            self.assertGreater(q["part"]["probability"], 0.01)
+            self.assertTrue(q["good"], q["problems"])
+
     def test_rounding_is_no_structure(self):
         """A quarter of a circle in coordinates of three decimal places: which side of it neighbours lie on is that of rounding."""
         arc = [[3456789.12 + 50 * math.cos(a), 5678901.5 + 50 * math.sin(a)] for a in (k * math.pi / 118 for k in range(60))]
