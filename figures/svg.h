@@ -124,6 +124,20 @@ void svg_label(svg *s, svg_point at, enum svg_direction towards, enum svg_role r
 /* A remark (begins in prose), smaller. */
 void svg_note(svg *s, svg_point at, enum svg_direction towards, enum svg_role role, const char *markup);
 
+/* Where a label is to stand clear: points with coordinates point[2 i], point[2 i + 1] in the window, whose marks no letter may touch, and
+ * places of lines, which it should not. */
+typedef struct svg_crowd {
+    int points, places;
+    const double *point, *place;
+} svg_crowd;
+
+/* A label or a remark beside `at`, inside the window, over no point of the crowd and no other words: in the given direction, or in another one,
+ * or farther away.  0, and nothing is put, where there is no room. */
+int svg_label_clear(svg *s, svg_point at, enum svg_direction towards, const svg_crowd *crowd, enum svg_role role,
+                    const char *markup);
+int svg_note_clear(svg *s, svg_point at, enum svg_direction towards, const svg_crowd *crowd, enum svg_role role,
+                   const char *markup);
+
 /* A label whose baseline stands right hundredths of an em to the right of, and up above, `at`. */
 void svg_label_at(svg *s, svg_point at, enum svg_anchor anchor, int right, int up, enum svg_role role,
                   const char *markup);

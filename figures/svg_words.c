@@ -250,6 +250,109 @@ void svg_note(svg *s, svg_point at, enum svg_direction towards, enum svg_role ro
     words_at(s, at, places[towards].anchor, places[towards].right, places[towards].up, KIND_NOTE, role, false, markup);
 }
 
+/* ---- Where there is room ------------------------------------------------------------------------ */
+
+/* The window in doubles, as these places need no more. */
+struct sight {
+    double x0, y1, scale_x, scale_y;
+};
+
+enum { MARK = 450, CELLS = 8, FARTHEST = 4 }; /* hundredths of a unit about the middle of a mark; directions; rings about the point */
+
+/* How many of the points lie in the box, `margin` wider. */
+static int in_box(const struct sight *v, int count, const double P[], struct box b, double margin)
+{
+    const double left = (double)b.left - margin, right = (double)b.right + margin, top = (double)b.top - margin,
+                 bottom = (double)b.bottom + margin;
+    int found = 0;
+    for (int i = 0; i < count; i++) {
+        const double x = 100 * (P[2 * i] - v->x0) * v->scale_x, y = 100 * (v->y1 - P[2 * i + 1]) * v->scale_y;
+        found += x > left && x < right && y > top && y < bottom;
+    }
+    return found;
+}
+
+static bool overlap(struct box a, struct box b)
+{
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+/* Whether words there would be outside of the window, over other words or over a point. */
+static bool is_taken(svg *s, const struct panel *p, const struct sight *v, const svg_crowd *crowd, struct box b)
+{
+    const long width = hundredths(s, kept(p->width)), height = hundredths(s, kept(p->height));
+    bool taken = b.left < 0 || b.top < 0 || b.right > width || b.bottom > height;
+    for (int k = 0; k < p->words && !taken; k++)
+        taken = overlap(b, p->word[k]);
+    return taken || in_box(v, crowd->points, crowd->point, b, MARK) > 0;
+}
+
+/* Where words stand: the baseline and its anchor. */
+struct stand {
+    long x, y;
+    enum svg_anchor anchor;
+};
+
+/* In the k-th direction, `ring` steps farther away. */
+static struct stand stand_at(long x, long y, int direction, int ring, long em)
+{
+    const long out = em * 60 * ring / 100, aside = places[direction].right, above = places[direction].up + 33;
+    return (struct stand){x + em * aside / 100 + (aside > 0 ? out : aside < 0 ? -out : 0),
+                          y - em * places[direction].up / 100 - (above > 0 ? out : above < 0 ? -out : 0),
+                          places[direction].anchor};
+}
+
+static struct box box_at(struct stand at, long width, long size)
+{
+    const long left = at.anchor == SVG_START ? at.x : at.anchor == SVG_MIDDLE ? at.x - width / 2 : at.x - width;
+    return (struct box){left, at.y - size * 78 / 100, left + width, at.y + size * 24 / 100};
+}
+
+static int clear_words(svg *s, svg_point at, enum svg_direction towards, const svg_crowd *crowd, enum text_kind kind,
+                       enum svg_role role, bool mathematics, const char *markup)
+{
+    struct panel *p = svg_current(s);
+    if (p == NULL)
+        return 0;
+    region_mark mark = region_open();
+    const svg_point P = to_output(p, at);
+    const long em = kinds[kind].size, x = hundredths(s, P.x), y = hundredths(s, P.y);
+    const struct sight v = {to_double_q(kept(p->x0)), to_double_q(kept(p->y1)), to_double_q(kept(p->scale_x)),
+                            to_double_q(kept(p->scale_y))};
+    struct string ignored = {0};
+    const long width = put_markup(&ignored, markup, mathematics, em);
+    free_string(&ignored);
+    struct stand best = {0};
+    double lowest = -1;
+    for (int ring = 0; ring < FARTHEST && lowest < 0; ring++)
+        for (int turn = 0; turn < CELLS; turn++) {
+            const int direction = ((int)towards + (turn % 2 ? turn / 2 + 1 : CELLS - turn / 2)) % CELLS;
+            const struct stand there = stand_at(x, y, direction, ring, em);
+            const struct box b = box_at(there, width, em);
+            if (is_taken(s, p, &v, crowd, b))
+                continue;
+            const double cost = turn + 3 * in_box(&v, crowd->places, crowd->place, b, 0);
+            if (lowest < 0 || cost < lowest)
+                best = there, lowest = cost;
+        }
+    if (lowest >= 0)
+        put_words(s, p, best.x, best.y, best.anchor, kind, role, mathematics, markup);
+    region_drop(mark);
+    return lowest >= 0;
+}
+
+int svg_label_clear(svg *s, svg_point at, enum svg_direction towards, const svg_crowd *crowd, enum svg_role role,
+                    const char *markup)
+{
+    return clear_words(s, at, towards, crowd, KIND_LABEL, role, true, markup);
+}
+
+int svg_note_clear(svg *s, svg_point at, enum svg_direction towards, const svg_crowd *crowd, enum svg_role role,
+                   const char *markup)
+{
+    return clear_words(s, at, towards, crowd, KIND_NOTE, role, false, markup);
+}
+
 /* The eight sectors are parted by lines of slope tan 22.5° = sqrt 2 - 1 and its inverse: with a and b
  * the sizes of the coordinates, b < (sqrt 2 - 1) a exactly when (a + b)^2 < 2 a^2. */
 enum svg_direction svg_direction_of(svg_point from, svg_point to)

@@ -100,6 +100,23 @@ static int has_measured_ends(const cagd_fit_options *o)
     return o->free & CAGD_FIT_END_POINTS && o->ends == CAGD_FIT_ENDS_MEASURED;
 }
 
+/* Whether other wishes lead to a minimum: with ends that are free or exact, closed or not. */
+static int fits(const struct fit *f, int ends, int closed)
+{
+    cagd_fit_options o = f->options;
+    cagd_fit_choices c = f->choices;
+    cagd_fit_result *r;
+    o.free = (o.free & ~CAGD_FIT_END_POINTS) | (o.free & ends);
+    o.without_intervals = 1;
+    o.after_start = NULL;
+    c.closed = closed;
+    if (cagd_fit_choose(&f->data, &o, &c, &r, NULL) != CAGD_OK)
+        return 0;
+    const int minimum = cagd_fit_is_minimum(r);
+    cagd_fit_free(r);
+    return minimum;
+}
+
 /* Each point gives dim-1 equations; an ellipse is fitted to two more than it has unknowns. */
 static void refuse_too_few(const struct fit *f)
 {
@@ -110,9 +127,11 @@ static void refuse_too_few(const struct fit *f)
               needed = asked - more + (closed && f->choices.form ? 2 : 0),
               least = needed <= 2 * (dim - 1) ? 2 : (needed + dim - 2) / (dim - 1);
     const char *name = name_of_input(f->path), *where = dim == 2 ? "in the plane" : "in space",
-               *cure = closed && f->choices.closed < 0 ? "; they come back to their beginning: --open fits an open one"
-                       : more                          ? "; --ends exact takes the first and the last one for the ends"
-                                                       : "";
+               *cure = closed && f->choices.closed < 0 && fits(f, CAGD_FIT_END_POINTS, 0)
+                           ? "; they come back to their beginning: --open fits an open one"
+                       : more && fits(f, 0, f->choices.closed)
+                           ? "; --ends exact, which takes the first and the last one for the ends, fits"
+                           : "";
     if (n >= least)
         refuse_line("%s: too few points: %d %s do not determine the curve that is asked for", name, n, where);
     else if (closed && f->choices.form)
@@ -187,7 +206,8 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
         for (int i = 0; i < f->points.count; i++)
             sigma[i] = a->sigma;
     }
-    f->data = (cagd_fit_data){f->points.count, f->points.dim, f->points.at, sigma};
+    const cagd_fit_data all = {f->points.count, f->points.dim, f->points.at, sigma};
+    f->data = all;
     if (a->initial != NULL) {
         if (read_initial(a, f->points.dim, &initial) != 0)
             return EXIT_USAGE;
@@ -216,6 +236,11 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
     if (is_refuted(f))
         cagd_fit_refute(result);
     status = cagd_fit_quality_of(&f->data, &f->options, result, &f->quality);
+    if (status == CAGD_OK) {
+        waiting_begin("trying what cures it");
+        status = cagd_fit_cures_of(&all, &f->options, &a->choices, result, &f->quality, &f->cures);
+        waiting_end();
+    }
     if (status != CAGD_OK)
         return complain(f, status, -1);
     int code = write_and_print(a, f);

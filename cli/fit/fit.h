@@ -16,6 +16,7 @@ struct fit {
     const char *path;
     cagd_fit_choices choices;
     cagd_fit_quality quality;
+    cagd_fit_cures cures; /* what was tried where it is not good */
     int sigma_given; /* one standard deviation for all points, by an option */
     struct points points;
     cagd_fit_data data;
@@ -83,9 +84,13 @@ void print_number(const char *name, cagd_fit_number x);
 void print_choice(const struct fit *f);  /* what was chosen, and why: verdict.c */
 void print_ellipse(const struct fit *f); /* verdict.c */
 void print_quality(const struct fit *f); /* verdict.c */
-/* Sentences without full stop about what is not good, each with what cures it; their number (verdict.c). */
+/* Sentences without full stop about what is not good, each with what was tried and cures it; their number (verdict.c). */
 enum { MOST_PROBLEMS = 7 };
 int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS]);
+/* " (not so with OPTIONS)", those of the best trial, else of the first that has neither this problem nor a new one; nothing where there is none (cures.c). */
+void put_cure(FILE *out, const struct fit *f, int problem);
+void print_cures(const struct fit *f);
+json_t *cures_json(const struct fit *f);
 json_t *fit_json(const struct fit *f);                      /* json.c    */
 json_t *fitted_curve_json(const cagd_spline *c);            /* as read_curve reads it; binary64 in 17 digits */
 int write_curve(const struct fit *f, const char *path);     /* each: 0, or a line on stderr        */

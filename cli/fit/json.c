@@ -227,6 +227,15 @@ static json_t *choice_json(const struct fit *f)
                      test, "smoothing", smoothing);
 }
 
+/* The part of the curve that passes its points by most. */
+static json_t *part_json(const cagd_fit_runs *runs)
+{
+    if (runs->points == 0)
+        return json_null();
+    return json_pack("{s:i, s:o, s:o, s:o, s:o}", "points", runs->points, "from", real(runs->from), "to", real(runs->to),
+                     "excess", real(runs->excess), "probability", real(runs->local_probability));
+}
+
 static json_t *quality_json(const struct fit *f)
 {
     const cagd_fit_quality *q = &f->quality;
@@ -237,10 +246,10 @@ static json_t *quality_json(const struct fit *f)
         json_array_append_new(list, json_string(sentence[k]));
         free(sentence[k]);
     }
-    return json_pack("{s:b, s:o, s:i, s:i, s:o, s:o, s:o, s:o, s:i}", "good", count == 0, "problems", list, "crossings",
+    return json_pack("{s:b, s:o, s:i, s:i, s:o, s:o, s:o, s:o, s:i, s:o, s:o}", "good", count == 0, "problems", list, "crossings",
                      q->crossings, "crossings_of_points", q->crossings_of_points, "widest_gap", real(q->gap),
                      "same_side", json_integer(q->runs.same), "pairs", json_integer(q->runs.pairs), "probability",
-                     real(q->runs.probability), "far_off", q->strays);
+                     real(q->runs.probability), "far_off", q->strays, "part", part_json(&q->runs), "tried", cures_json(f));
 }
 
 json_t *fit_json(const struct fit *f)

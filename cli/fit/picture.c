@@ -234,8 +234,50 @@ static enum svg_direction away(const struct view *v, int j)
     return svg_direction_of(svg_at(0, 0), (svg_point){from_double_q(x), from_double_q(y)});
 }
 
-/* Its name; in the plane and among few, unless it is an end, which may stand at the margin, also its weight if that is not 1. */
-static void label_control_point(svg *s, const struct view *v, int j)
+/* ---- what names must not cover ----------------------------------------------------------------------- */
+
+enum { PER_SEGMENT = 24, MOST_PLACES = 2000, PER_LEG = 12 };
+
+static void keep_at(double P[], int at, svg_point x)
+{
+    P[2 * at] = to_double_q(x.x);
+    P[2 * at + 1] = to_double_q(x.y);
+}
+
+/* The points and control points of a view, and places of its curve and its polygon. */
+static svg_crowd crowd_of(const struct view *v)
+{
+    const cagd_fit_result *r = v->f->result;
+    cagd_spline near = r->curve;
+    const cagd_spline *c = &near;
+    near.points = r->relative;
+    const int n = v->f->data.count, own = own_points(v->f), legs = c->count - 1;
+    const int sides = (c->count - c->degree) * PER_SEGMENT < MOST_PLACES ? (c->count - c->degree) * PER_SEGMENT : MOST_PLACES;
+    double *point = region_bytes(2 * (size_t)(n + own) * sizeof *point);
+    double *place = region_bytes(2 * (size_t)(sides + 1 + legs * PER_LEG) * sizeof *place), at[CAGD_MAX_DIM];
+    svg_crowd crowd = {0, 0, point, place};
+    for (int i = 0; i < n; i++)
+        keep_at(point, crowd.points++, shown_at(v, v->f->data.points + i * v->f->data.dim));
+    for (int j = 0; j < own; j++)
+        keep_at(point, crowd.points++, control_point(v, j));
+    const double start = c->knots[c->degree], end = c->knots[c->count];
+    for (int k = 0; k <= sides; k++)
+        if (cagd_spline_point(c, k < sides ? start + (end - start) * k / sides : end, k < sides ? CAGD_RIGHT : CAGD_LEFT,
+                              at) == CAGD_OK)
+            keep_at(place, crowd.places++, shown_from(v, r->origin, at));
+    for (int j = 0; j < legs; j++) {
+        double leg[4];
+        keep_at(leg, 0, control_point(v, j));
+        keep_at(leg, 1, control_point(v, j + 1));
+        for (int k = 1; k <= PER_LEG; k++, crowd.places++)
+            for (int x = 0; x < 2; x++)
+                place[2 * crowd.places + x] = leg[x] + (leg[2 + x] - leg[x]) * k / (PER_LEG + 1);
+    }
+    return crowd;
+}
+
+/* Its name; in the plane and among few also its weight if that is not 1, unless it is an end or there is no room. */
+static void label_control_point(svg *s, const struct view *v, const svg_crowd *crowd, int j)
 {
     const cagd_fit_result *r = v->f->result;
     int dim = r->curve.dim;
@@ -257,12 +299,15 @@ static void label_control_point(svg *s, const struct view *v, int j)
             fprintf(out, "%.4g", e.value);
     }
     text_close(out, &text);
-    svg_label(s, control_point(v, j), away(v, j), SVG_POLYGON, text);
+    char name[32];
+    snprintf(name, sizeof name, "P_{%d}", j);
+    if (!svg_label_clear(s, control_point(v, j), away(v, j), crowd, SVG_POLYGON, text))
+        svg_label_clear(s, control_point(v, j), away(v, j), crowd, SVG_POLYGON, name);
     free(text);
 }
 
 /* A control point that the window does not show: an arrow to the border, towards it. */
-static void mark_beyond(svg *s, const struct view *v, int j, int named)
+static void mark_beyond(svg *s, const struct view *v, const svg_crowd *crowd, int j, int named)
 {
     const double LONG = 0.035; /* of the longer side: shorter than the margin about the points */
     const struct beyond b = beyond_border(v, j);
@@ -273,7 +318,7 @@ static void mark_beyond(svg *s, const struct view *v, int j, int named)
     svg_arrow(s, on[2], on[0], SVG_POLYGON);
     snprintf(name, sizeof name, "P_{%d}", j);
     if (named) /* beside the arrow, within the frame */
-        svg_label(s, on[1], fabs(b.direction[0]) > fabs(b.direction[1]) ? SVG_S : SVG_E, SVG_POLYGON, name);
+        svg_label_clear(s, on[1], fabs(b.direction[0]) > fabs(b.direction[1]) ? SVG_S : SVG_E, crowd, SVG_POLYGON, name);
 }
 
 static int any_beyond(const struct view *v)
@@ -297,13 +342,14 @@ static void draw_polygon(svg *s, const struct view *v)
         if (inside(v, j - 1) || inside(v, j))
             svg_polyline(s, 2, P + 2 * j - 2, SVG_POLYGON);
     const int named = own_points(v->f) <= MOST_LABELS && !is_ellipse(v->f);
+    const svg_crowd crowd = named ? crowd_of(v) : (svg_crowd){0};
     for (int j = 0; j < own_points(v->f); j++)
         if (inside(v, j)) {
             svg_mark(s, svg_pair(P + 2 * j), SVG_POLYGON, SVG_USUAL);
             if (named)
-                label_control_point(s, v, j);
+                label_control_point(s, v, &crowd, j);
         } else
-            mark_beyond(s, v, j, named);
+            mark_beyond(s, v, &crowd, j, named);
 }
 
 /* One standard deviation to either side, in both coordinates. */
@@ -456,7 +502,11 @@ static void draw_distances(svg *s, const struct fit *f)
     if (r->largest > 0) {
         char line[32];
         snprintf(line, sizeof line, "line %d", f->points.line[k]);
-        svg_note(s, svg_pair(P + 2 * k), 2 * r->feet[k] < start + end ? SVG_E : SVG_W, SVG_POINT, line);
+        double *point = region_bytes(2 * (size_t)r->count * sizeof *point);
+        for (int i = 0; i < r->count; i++)
+            keep_at(point, i, svg_pair(P + 2 * i));
+        svg_note_clear(s, svg_pair(P + 2 * k), 2 * r->feet[k] < start + end ? SVG_E : SVG_W,
+                       &(svg_crowd){.points = r->count, .point = point}, SVG_POINT, line);
     }
     region_drop(mark);
 }

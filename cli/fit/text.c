@@ -628,12 +628,12 @@ static void print_statistics(const struct fit *f)
             : r->found.weights == 1
                 ? "that weights are fitted was decided by these points, and standard errors know nothing of that: they "
                   "are "
-                  "too small; --free weights,inner,ends gives intervals"
+                  "too small; with --free weights,inner,ends intervals are sought (not tried)"
             : r->found.count_chosen
                 ? "the knots were chosen by these points, and standard errors for given knots know nothing of that: "
-                  "they are too small; --control-points N or --knots gives intervals"
+                  "they are too small; with --knots intervals are sought (not tried)"
                 : "the knots were placed by these points, and standard errors for given knots know nothing of that: "
-                  "they are too small; --knots gives intervals");
+                  "they are too small; with --knots intervals are sought (not tried)");
     if (!known && f->result->points_on_curve && r->scale_squared > 0)
         say("Rounding",
             "the distances are no larger than the roundings of binary64: the points lie on the curve, and %s "

@@ -120,7 +120,7 @@ static void print_smoothing(const struct fit *f)
         "in them",
         lambda,
         r->found.smoothed == 2 ? ", its weight by cross-validation, since without it the fit did not converge or had "
-                                 "excursions (--control-points with a smaller number is the other way)"
+                                 "excursions (fewer control points are another way, which was not tried)"
         : r->found.smoothed == 3 && r->found.within < 0
             ? ", without which no curve was found that comes as near to all points"
         : r->found.smoothed == 3
@@ -189,65 +189,62 @@ void print_ellipse(const struct fit *f)
 
 /* ---- whether it is good ------------------------------------------------------------------------------------ */
 
-static void add(char *sentence[], int *count, const char *format, ...) __attribute__((format(printf, 3, 4)));
-static void add(char *sentence[], int *count, const char *format, ...)
+/* A sentence, and what cures that problem. */
+static void add(const struct fit *f, int problem, char *sentence[], int *count, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+static void add(const struct fit *f, int problem, char *sentence[], int *count, const char *format, ...)
 {
     va_list list;
+    size_t size;
+    FILE *out = text_open(&sentence[*count], &size);
     va_start(list, format);
-    if (vasprintf(&sentence[(*count)++], format, list) < 0)
-        no_memory();
+    vfprintf(out, format, list);
     va_end(list);
+    put_cure(out, f, problem);
+    text_close(out, &sentence[(*count)++]);
 }
 
 int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
 {
     const cagd_fit_quality *q = &f->quality;
-    const int spline = f->result->unknowns > 0 && f->result->curve.count > f->result->curve.degree + 1,
-              smoothed = f->result->roughness > 0;
-    const char *smoother = !spline ? "--degree, --control-points auto, or --unordered where the points are in no order"
-                           : smoothed
-                               ? "fewer control points, or --unordered where the points are in no order"
-                               : "--smooth auto, fewer control points, or --unordered where the points are in no order";
     int count = 0;
     if (nothing_is_free(f))
         return 0;
     if (q->problems & CAGD_FIT_EXCURSIONS)
-        add(sentence, &count,
+        add(f, CAGD_FIT_EXCURSIONS, sentence, &count,
             "it is %.3g times as long as the polygon of the points in their order, with loops or excursions that no "
-            "points show (%s)",
-            q->length_ratio, smoother);
+            "points show",
+            q->length_ratio);
     if (q->problems & CAGD_FIT_LOOPS)
-        add(sentence, &count, "it crosses itself %d time%s, the polygon of the points %d (%s)", q->crossings,
-            q->crossings == 1 ? "" : "s", q->crossings_of_points, smoother);
+        add(f, CAGD_FIT_LOOPS, sentence, &count, "it crosses itself %d time%s, the polygon of the points %d", q->crossings,
+            q->crossings == 1 ? "" : "s", q->crossings_of_points);
     if (q->problems & CAGD_FIT_GAPS)
-        add(sentence, &count,
-            "from t = %.4g to %.4g, %.2g of its length, it has no points and is only interpolation (more points there)",
-            q->gap_from, q->gap_to, q->gap);
-    if (q->problems & CAGD_FIT_STRUCTURE)
-        add(sentence, &count,
+        add(f, CAGD_FIT_GAPS, sentence, &count,
+            "from t = %.4g to %.4g, %.2g of its length, it has no points and is only interpolation", q->gap_from,
+            q->gap_to, q->gap);
+    if (q->problems & CAGD_FIT_STRUCTURE && q->runs.local_probability < fmin(0.01, q->runs.probability))
+        add(f, CAGD_FIT_STRUCTURE, sentence, &count,
+            "the distances are no noise: from t = %.4g to %.4g the curve passes %d points by on one side, their mean is "
+            "%.2g of its standard deviations from 0, by chance that is so somewhere with probability %.1g",
+            q->runs.from, q->runs.to, q->runs.points, q->runs.excess, q->runs.local_probability);
+    else if (q->problems & CAGD_FIT_STRUCTURE)
+        add(f, CAGD_FIT_STRUCTURE, sentence, &count,
             "the distances are no noise: %d of %d neighbours lie on the same side, by chance that is so with "
-            "probability %.1g (%s)",
-            q->runs.same, q->runs.pairs, q->runs.probability,
-            q->strays > 0                         ? "--loss huber, for the points that lie far off"
-            : is_ellipse(f)                       ? "--control-points auto, or another model"
-            : f->choices.form || f->choices.count ? "more points, or --tolerance-distance"
-                                                  : "--control-points auto, or a higher degree");
+            "probability %.1g",
+            q->runs.same, q->runs.pairs, q->runs.probability);
     if (q->problems & CAGD_FIT_FAR)
-        add(sentence, &count, "control point P%d lies far outside of the points (%s)", q->far, smoother);
+        add(f, CAGD_FIT_FAR, sentence, &count, "control point P%d lies far outside of the points", q->far);
     if (q->problems & CAGD_FIT_BACKWARDS)
-        add(sentence, &count,
-            "%d of the feet go%s back by more than six times the rms (--unordered, where the points are not in order; "
-            "--monotone, where they are)",
+        add(f, CAGD_FIT_BACKWARDS, sentence, &count, "%d of the feet go%s back by more than six times the rms",
             q->backwards, q->backwards == 1 ? "es" : "");
-    if (q->problems & CAGD_FIT_COARSE && smoothed)
-        add(sentence, &count,
+    if (q->problems & CAGD_FIT_COARSE && f->result->roughness > 0)
+        add(f, CAGD_FIT_COARSE, sentence, &count,
             "the distances are large against the points, and the smoothing term may be what holds the curve away from "
-            "them "
-            "(--smooth with a smaller number, or --control-points)");
+            "them");
     else if (q->problems & CAGD_FIT_COARSE)
-        add(sentence, &count,
-            "the distances are large, and too few points say whether they are noise or the curve is too simple (more "
-            "points, --degree 3 --control-points N, or a file with standard deviations)");
+        add(f, CAGD_FIT_COARSE, sentence, &count,
+            "the distances are large, and too few points, without standard deviations, say whether they are noise or "
+            "the curve is too simple");
     return count;
 }
 
@@ -265,7 +262,7 @@ static void print_strays(const struct fit *f)
     if (q->strays > CAGD_FIT_STRAYS)
         fprintf(out, " and %d more", q->strays - CAGD_FIT_STRAYS);
     text_close(out, &text);
-    say("Far off", "%s: farther than ten standard deviations, as the median of the distances has them; the curve follows %s (--loss huber)", text,
+    say("Far off", "%s: farther than ten standard deviations, as the median of the distances has them; the curve follows %s", text,
         q->strays == 1 ? "it" : "them");
     free(text);
 }
@@ -289,4 +286,5 @@ void print_quality(const struct fit *f)
         say("Fit", "NOT good, whatever is said of the minimum%s", text);
     free(text);
     print_strays(f);
+    print_cures(f);
 }

@@ -352,12 +352,23 @@ CAGD_API cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_o
                                      const cagd_fit_choices *choices, cagd_fit_result **result, int *where);
 
 /* How the residuals lie beside one another, in the order of their feet: pairs of neighbours, how many of them lie on the same
- * side of the curve, in space at less than a right angle, and the probability that by chance so many or more do, 1/2 each. */
+ * side of the curve, in space at less than a right angle, and the probability that by chance so many or more do, 1/2 each.
+ *
+ * And the part of the curve that passes its points by most: of 4, 8, 16, ... neighbours, up to a half of all, the mean distance over its standard
+ * deviation, where distances count up to 2.5 of them, outliers and ends do not, and the scatter is that of all or of these and 32 on
+ * either side, whichever is larger; what the bend of the
+ * curve makes of it is taken off, and where it turns on a radius of less than five deviations nothing is said; the
+ * probability is that by chance any of all these windows has such a mean, at most. */
 typedef struct cagd_fit_runs {
     int pairs, same;
     double probability;
+    int points;              /* of the window                         */
+    double from, to, excess; /* parameters; mean / standard deviation */
+    double local_probability;
 } cagd_fit_runs;
-CAGD_API cagd_status cagd_fit_runs_of(const cagd_fit_result *result, cagd_fit_runs *runs); /* OK, NO_MEMORY */
+/* `data` and `options` as for the fit. */
+CAGD_API cagd_status cagd_fit_runs_of(const cagd_fit_data *data, const cagd_fit_options *options,
+                                      const cagd_fit_result *result, cagd_fit_runs *runs); /* OK, NO_MEMORY */
 
 /* ---- What a result says of its unknowns ---------------------------------------------------------------------
  *
@@ -444,7 +455,7 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * EXCURSIONS   the curve is longer than 1.26 times the polygon of the points, cagd_fit_length_ratio
  * LOOPS        in the plane: it crosses itself more often than that polygon does
  * GAPS         between two neighbouring feet lies more than a tenth of its length, and more than four times the usual part of it
- * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, cagd_fit_runs_of
+ * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, or some of them by more than so, cagd_fit_runs_of
  * FAR          a control point is farther from the points than these are from one another
  * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than
  * 6 times their root mean square along the curve: one in twenty of them, or one by 12 times that and a tenth of the length
@@ -481,6 +492,55 @@ typedef struct cagd_fit_quality {
 /* `data` as for the fit; a point that repeats the first one is passed over.  Statuses: OK, NO_MEMORY. */
 CAGD_API cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_options *options,
                                          const cagd_fit_result *result, cagd_fit_quality *quality);
+
+/* What cures a fit that is no minimum or not good: other wishes, each of them tried on the same points, in this order, until nothing is found
+ * against a fit.
+ *
+ * ITERATIONS ten times as many, where they did not suffice.  STARTS: eight, where the curve was refuted.  INNER: weights 1.  BOUNDS: weights
+ * between 1/16 and 16.  HUBER: where points lie far off.  UNORDERED, and then the polygon of the points goes from foot to foot.  MONOTONE.  SMOOTH:
+ * a smoothing term by cross-validation.  COUNT: so many control points, fewer, or of a few points more.  LIGHTER: a smoothing term of less weight.
+ * DEGREE: a higher one.  AUTO: as many control points as the points ask for.  DEGREES: the degree that they ask for.
+ *
+ * Whether points are in order no fit can tell: where feet go back UNORDERED and MONOTONE are both tried. */
+typedef enum cagd_fit_cure {
+    CAGD_FIT_CURE_ITERATIONS,
+    CAGD_FIT_CURE_STARTS,
+    CAGD_FIT_CURE_INNER,
+    CAGD_FIT_CURE_BOUNDS,
+    CAGD_FIT_CURE_HUBER,
+    CAGD_FIT_CURE_UNORDERED,
+    CAGD_FIT_CURE_MONOTONE,
+    CAGD_FIT_CURE_SMOOTH,
+    CAGD_FIT_CURE_COUNT,
+    CAGD_FIT_CURE_LIGHTER,
+    CAGD_FIT_CURE_DEGREE,
+    CAGD_FIT_CURE_AUTO,
+    CAGD_FIT_CURE_DEGREES
+} cagd_fit_cure;
+
+/* One that was tried: what cagd_fit_choose was asked, and what came of it. */
+typedef struct cagd_fit_trial {
+    cagd_fit_cure cure;
+    cagd_fit_options options;
+    cagd_fit_choices choices;
+    int minimum, problems; /* of that fit, as cagd_fit_quality says; all of them where it is no minimum */
+    double rms;            /* of a robust loss without its outliers                                     */
+} cagd_fit_trial;
+
+enum { CAGD_FIT_MAX_TRIALS = 12, CAGD_FIT_MOST_TRIED = 2000, CAGD_FIT_MOST_TRIED_CONTROL_POINTS = 60 };
+
+typedef struct cagd_fit_cures {
+    int count;    /* of trials                                                                                      */
+    int best;     /* the first one that is a minimum and that nothing is found against; -1: none                    */
+    int too_many; /* 1: nothing was tried, since there are more than MOST_TRIED points or so many control points    */
+    cagd_fit_trial trial[CAGD_FIT_MAX_TRIALS];
+} cagd_fit_cures;
+
+/* `data`, `options` and `choices` are those that led to the result, `quality` is that of the result.  Of a good fit nothing is tried.  Statuses:
+ * OK, NO_MEMORY. */
+CAGD_API cagd_status cagd_fit_cures_of(const cagd_fit_data *data, const cagd_fit_options *options,
+                                       const cagd_fit_choices *choices, const cagd_fit_result *result,
+                                       const cagd_fit_quality *quality, cagd_fit_cures *cures);
 
 #ifdef __cplusplus
 }

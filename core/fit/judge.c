@@ -86,13 +86,11 @@ void fit_attempt_judge(fit_attempt *a)
         if (goes_to_infinity(f, index))
             fail(a,
                  "No minimum was found: point %d of the curve goes to infinity and its weight to 0 (it is %.2g), as "
-                 "where "
-                 "an arc turns by a half turn or more; more control points may help.",
+                 "where an arc turns by a half turn or more.",
                  index, w);
         else if (is_lost(f, index) || runs_away(f, k))
             fail(a,
-                 "No minimum was found: the cost falls ever slower while weight %d goes to %s (it is %.2g); other "
-                 "starts, or bounds on the weights, may help.",
+                 "No minimum was found: the cost falls ever slower while weight %d goes to %s (it is %.2g).",
                  index, w < 1 ? "0" : "infinity", w);
     }
 }

@@ -274,7 +274,7 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
     if (status == CAGD_OK)
         status = of_points(&own, r, &points);
     if (status == CAGD_OK)
-        status = cagd_fit_runs_of(r, &q->runs);
+        status = cagd_fit_runs_of(&own, options, r, &q->runs);
     if (status == CAGD_OK && r->count > 1)
         status = find_gap(r, &curve, q);
     if (status == CAGD_OK)
@@ -292,7 +292,7 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
         find_far(&own, r, q);
         q->problems |= q->length_ratio > LONGEST ? CAGD_FIT_EXCURSIONS : 0;
         q->problems |= q->crossings > q->crossings_of_points ? CAGD_FIT_LOOPS : 0;
-        q->problems |= q->runs.probability < BY_CHANCE && !r->points_on_curve && !is_within_rounding(&own, r) ? CAGD_FIT_STRUCTURE : 0;
+        q->problems |= (q->runs.probability < BY_CHANCE || q->runs.local_probability < BY_CHANCE) && !r->points_on_curve && !is_within_rounding(&own, r) ? CAGD_FIT_STRUCTURE : 0;
     }
     free(curve.at);
     free(points.at);

@@ -16,11 +16,142 @@ static double upper_tail(int n, int k)
     return fmin(1, sum);
 }
 
-cagd_status cagd_fit_runs_of(const cagd_fit_result *r, cagd_fit_runs *runs)
+/* ---- a part of the curve that passes its points by ------------------------------------------------------- */
+
+enum { SHORTEST = 4, PER_WINDOW = 4, LEAST = 16 };
+static const double CLIPPED = 2.5; /* standard deviations: one point alone says nothing of its neighbours */
+
+/* The distances of points in the order of their feet, in standard deviations and clipped, in the plane with their sign; and the sums of those
+ * before, and of half the squares of the steps from one to the next. */
+typedef struct sequence {
+    int count, dim;
+    double *foot, *sum, *square; /* sum[i*dim + c] */
+} sequence;
+
+/* The standard deviation of a coordinate in units of given ones, as the distances have it. */
+static double scale_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r)
+{
+    double sum = 0;
+    if (options->loss != CAGD_FIT_SQUARES)
+        return r->deviation;
+    for (int i = 0; i < r->count; i++) {
+        const double d = r->distances[i] / (data->sigma != NULL ? data->sigma[i] : 1);
+        sum += d * d;
+    }
+    return r->degrees_of_freedom > 0 ? sqrt(sum / r->degrees_of_freedom) : 0;
+}
+
+/* Without outliers and the ends, whose distances are along the curve as well. */
+static void fill(const cagd_fit_data *data, const cagd_fit_result *r, double scale, const keyed list[], sequence *s)
+{
+    const int dim = s->dim;
+    for (int k = 0; k < r->count; k++) {
+        const int i = list[k].index, j = s->count;
+        const double unit = scale * (data->sigma != NULL ? data->sigma[i] : 1), size = fabs(r->distances[i]) / unit,
+                     part = size > CLIPPED ? CLIPPED / size : 1;
+        if (i == r->end_points[0] || i == r->end_points[1] || r->foot_at_end[i] || (r->outlier != NULL && r->outlier[i]))
+            continue;
+        s->foot[j] = list[k].key;
+        for (int c = 0; c < dim; c++)
+            s->sum[(j + 1) * dim + c] =
+                s->sum[j * dim + c] + part / unit * (dim == 1 ? r->distances[i] : r->residuals[i * dim + c]);
+        double square = 0;
+        for (int c = 0; c < dim && j > 0; c++) {
+            const double step = s->sum[(j + 1) * dim + c] - 2 * s->sum[j * dim + c] + s->sum[(j - 1) * dim + c];
+            square += step * step;
+        }
+        s->square[j + 1] = s->square[j] + square / 2;
+        s->count++;
+    }
+}
+
+/* The mean of m of them from i on over its standard deviation: in that of all, or where these and AROUND more on either side scatter more, by the
+ * steps from one to the next, in theirs: errors along one axis are larger where the curve is across it. */
+static double excess(const sequence *s, int i, int m)
+{
+    enum { AROUND = 32 };
+    const int low = i > AROUND ? i - AROUND : 0, high = i + m + AROUND < s->count ? i + m + AROUND : s->count;
+    double square = 0;
+    for (int c = 0; c < s->dim; c++) {
+        const double sum = s->sum[(i + m) * s->dim + c] - s->sum[i * s->dim + c];
+        square += sum * sum;
+    }
+    const double scatter = (s->square[high] - s->square[low + 1]) / (high - low - 1) / (s->dim == 1 ? 1 : s->dim - 1);
+    return sqrt(square / m / fmax(1, scatter));
+}
+
+/* The curvature at t, of the curve from the origin of the fit; infinite where it has none. */
+static double curvature_at(const cagd_fit_result *r, double t)
+{
+    cagd_spline near = r->curve;
+    double D[3 * 3], first = 0, second = 0, both = 0;
+    near.points = r->relative;
+    const cagd_side side = t < near.knots[near.count] ? CAGD_RIGHT : CAGD_LEFT;
+    if (cagd_spline_derivatives(&near, t, side, 2, D) != CAGD_OK)
+        return INFINITY;
+    for (int c = 0; c < near.dim; c++) {
+        first += D[near.dim + c] * D[near.dim + c];
+        second += D[2 * near.dim + c] * D[2 * near.dim + c];
+        both += D[near.dim + c] * D[2 * near.dim + c];
+    }
+    return first > 0 ? sqrt(fmax(0, first * second - both * both) / (first * first * first)) : INFINITY;
+}
+
+/* What is left of the excess of m points when the bend of the curve is taken off: of errors of one deviation s, alike in all directions, those
+ * on the inner side spread over more of the curve, so that their mean at a foot is -s times (s times the curvature).  Nothing is left where the
+ * curve turns on a radius of less than five deviations. */
+static double without_bend(const cagd_fit_result *r, double from, double to, double deviation, int m, double z)
+{
+    const double most_bent = 0.2;
+    double bend = 0;
+    for (int k = 0; k <= 2; k++)
+        bend = fmax(bend, deviation * curvature_at(r, from + (to - from) * k / 2));
+    return bend < most_bent ? z - bend * sqrt(m) : 0;
+}
+
+/* The most exceptional of windows of 4, 8, 16, ... points, each a quarter of its length behind the one before; the probability that one of all is
+ * so is at most the sum of those of each. */
+static void find_local(const cagd_fit_result *r, double deviation, const sequence *s, cagd_fit_runs *runs)
+{
+    double windows = 0;
+    for (int m = SHORTEST; 2 * m <= s->count; m *= 2)
+        for (int i = 0; i + m <= s->count; i += m / PER_WINDOW, windows++) {
+            double z = excess(s, i, m);
+            if (z > runs->excess)
+                z = without_bend(r, s->foot[i], s->foot[i + m - 1], deviation, m, z);
+            if (z > runs->excess) {
+                runs->excess = z, runs->points = m;
+                runs->from = s->foot[i], runs->to = s->foot[i + m - 1];
+            }
+        }
+    runs->local_probability =
+        windows == 0 ? NAN
+                     : fmin(1, windows * (s->dim == 1 ? erfc(runs->excess / sqrt(2)) : exp(-runs->excess * runs->excess / 2)));
+}
+
+/* The sequence is made of the points in the order of their feet. */
+static cagd_status look_at_parts(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
+                                 const keyed list[], cagd_fit_runs *runs)
+{
+    const int dim = r->curve.dim == 2 ? 1 : r->curve.dim;
+    const double scale = scale_of(data, options, r);
+    REQUIRE(r->count >= LEAST && scale > 0 && isfinite(scale), CAGD_OK);
+    const size_t n = (size_t)r->count + 1;
+    double *numbers = calloc(n * (size_t)(dim + 2), sizeof *numbers);
+    REQUIRE(numbers != NULL, CAGD_NO_MEMORY);
+    sequence s = {0, dim, numbers, numbers + n, numbers + n + n * (size_t)dim};
+    fill(data, r, scale, list, &s);
+    find_local(r, fmax(r->rms, scale * (data->sigma != NULL ? 0 : 1)), &s, runs);
+    free(numbers);
+    return CAGD_OK;
+}
+
+cagd_status cagd_fit_runs_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
+                             cagd_fit_runs *runs)
 {
     const int n = r->count, dim = r->curve.dim;
     keyed *list = malloc(((size_t)n + 1) * sizeof *list);
-    *runs = (cagd_fit_runs){0, 0, NAN};
+    *runs = (cagd_fit_runs){.probability = NAN, .local_probability = NAN};
     REQUIRE(list != NULL, CAGD_NO_MEMORY);
     for (int i = 0; i < n; i++)
         list[i] = (keyed){r->feet[i], i};
@@ -38,6 +169,7 @@ cagd_status cagd_fit_runs_of(const cagd_fit_result *r, cagd_fit_runs *runs)
     }
     if (runs->pairs > 0)
         runs->probability = upper_tail(runs->pairs, runs->same);
+    const cagd_status status = look_at_parts(data, options, r, list, runs);
     free(list);
-    return CAGD_OK;
+    return status;
 }

@@ -9,6 +9,7 @@
 #include <libxml/xpath.h>
 #include <libxml/xpathInternals.h>
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -666,6 +667,33 @@ static void overlaps_are_counted_and_words_never_cut_off(void **state)
     svg_free(s);
 }
 
+/* Around a point that others surround closely there is room only farther away; where the window is full there is none, and then nothing is put. */
+static void labels_that_stand_clear(void **state)
+{
+    (void)state;
+    enum { SIDE = 21 };
+    double near[16], all[2 * SIDE * SIDE];
+    for (int k = 0; k < 8; k++) {
+        near[2 * k] = 50 + 14 * cos(k * acos(-1) / 4);
+        near[2 * k + 1] = 50 + 14 * sin(k * acos(-1) / 4);
+    }
+    for (int k = 0; k < SIDE * SIDE; k++) {
+        all[2 * k] = 5 * (k % SIDE);
+        all[2 * k + 1] = 5 * (k / SIDE);
+    }
+    svg *s = square(100);
+    assert_true(svg_label_clear(s, svg_at(50, 50), SVG_E, &(svg_crowd){0}, SVG_POINT, "A"));
+    const double first = strtod(value(s, "string((" WORDS ")[1]/@x)"), NULL);
+    assert_true(svg_label_clear(s, svg_at(50, 50), SVG_E, &(svg_crowd){.points = 8, .point = near}, SVG_POINT, "B"));
+    assert_int_equal(svg_overlaps(s), 0);
+    const double second = strtod(value(s, "string((" WORDS ")[2]/@x)"), NULL), y = strtod(value(s, "string((" WORDS ")[2]/@y)"), NULL);
+    assert_true(hypot(second - 50, y - 50) > fabs(first - 50));
+    assert_false(svg_label_clear(s, svg_at(50, 50), SVG_E, &(svg_crowd){.points = SIDE * SIDE, .point = all}, SVG_POINT, "C"));
+    assert_false(svg_note_clear(s, svg_at(50, 50), SVG_E, &(svg_crowd){.points = SIDE * SIDE, .point = all}, SVG_POINT, "C"));
+    assert_int_equal(count(s, WORDS ""), 2);
+    svg_free(s);
+}
+
 /* ---- The document ----------------------------------------------------------------------------- */
 
 /* A bit of everything. */
@@ -849,6 +877,7 @@ int main(void)
         unit(points_are_of_one_scale),
         unit(a_matrix_shows_its_entries_or_their_signs),
         unit(overlaps_are_counted_and_words_never_cut_off),
+        unit(labels_that_stand_clear),
         unit(the_bytes_are_always_the_same),
         unit(every_id_is_unique_and_every_reference_meets_one),
         unit(trouble_sticks),
