@@ -996,6 +996,7 @@ static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, lon
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
         if (region_faults == 0 && n == 2 && a.rational && cagd_sign_q(a.q) > 0 && c->has_roots)
             return root_of_number(c, t, a.q);
+        c->met_root = 1;
         return cagd_fail(c, t, FAULT_UNABLE,
                          n % 2 == 0 && a.rational && cagd_sign_q(a.q) < 0
                              ? "the root of a negative number"
