@@ -144,6 +144,24 @@ static int power(cagd_search *s, const cagd_tree *base, const cagd_frame *f, int
            power_of_number(s, mpq_numref(size.at), p, c, out) && power_of_number(s, mpq_denref(size.at), -p, -c, out);
 }
 
+/* [e]_q = (q^e - 1)/(q - 1) for a name q and e = p n + c that is never negative: what is equal for all other q is equal for q = 1, too, both being
+ * polynomials there. */
+static int q_number(cagd_search *s, num_f e, const cagd_tree *q, const cagd_frame *f, num_f *out)
+{
+    int p, c;
+    num_f base;
+    if (!is_never_negative(s, e) || !cagd_linear_with_n(s, e, &p, &c) || !cagd_value_in(s, q, f, &base) ||
+        is_constant_f(base, NULL))
+        return 0;
+    *out = from_int_f(1);
+    if (p == 0)
+        *out = cagd_power_f(base, c);
+    else if (!power_of(s, base, p, c, out))
+        return 0;
+    *out = div_f(plus(*out, -1), plus(base, -1));
+    return region_faults == 0;
+}
+
 /* ---- where it is defined ----------------------------------------------------------------------------------- */
 
 int cagd_is_defined_for_every(const cagd_search *s, num_f value)
@@ -268,6 +286,9 @@ int cagd_closed(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *
         break;
     case CAGD_BINOMIAL:
         good = cagd_value_in(s, t->at[0], f, &a) && cagd_value_in(s, t->at[1], f, &b) && binomial(s, a, b, out);
+        break;
+    case CAGD_Q_NUMBER:
+        good = cagd_value_in(s, t->at[0], f, &a) && q_number(s, a, t->at[1], f, out);
         break;
     case CAGD_SUM_OVER:
         good = of_sum(s, t, f, out) || cagd_sum_to_n(s, t, f, out);

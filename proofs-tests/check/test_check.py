@@ -89,6 +89,12 @@ class Literature(unittest.TestCase):
         self.assertIn("wherever both sides are defined", verdict(r"\sqrt{x-1} \ge 0", "n = 1")["scope"])
         self.assertNotIn("wherever", verdict(r"\sqrt{x^2+1} + \sqrt{y^2+2} \ge 2", "n = 1")["scope"])
 
+    def test_q_numbers_of_every_number(self):
+        for printed, ranges, expected in (("[n+1]_x = 1 + x [n]_x", "n = 0..", "holds"), ("[n+1]_x = x + [n]_x", "n = 0..", "fails"), (r"\sum_{k=0}^{n-1} x^k = [n]_x", "n = 0..", "holds"), ("[2n]_x = [n]_x (1 + x^n)", "n = 0..", "holds"),
+                                          ("[2n]_x = [2]_x [n]_{x^2}", "n = 0..", "holds"), ("[n]_x [n+2]_x = [n+1]_x^2 - x^n", "n = 0..", "holds"), ("[n]_x [n+2]_x = [n+1]_x^2 - x^{n+1}", "n = 0..", "fails"),
+                                          ("[n-3]_x = [n]_x - x^{n-1} - x^{n-2} - x^{n-3}", "n = 3..", "holds"), ("[n-3]_x = [n]_x - x^{n-1} - x^{n-2} - x^{n-3}", "n = 0..", "undecided"), (r"\frac{[n]_x}{[n]_x} = 1", "n = 0..", "undecided")):
+            self.assertEqual(verdict(printed, ranges)["verdict"], expected, printed)
+
     def test_a_range_behind_a_formula(self):
         """Bounds that are numbers are supposed; other conditions can be said as well."""
         for printed, expected, scope in ((r"x^2 \le x, \quad 0 \le x \le 1", "holds", "all x, 0 ≤ x ≤ 1"), (r"x^2 \le x, \quad 1 \ge x \ge 0", "holds", "all x, 1 ≥ x ≥ 0"), (r"x^2 \le x, \quad 0 \le x \le 2", "fails", ""), (r"x^2 < x, \quad 0 \le x < 1", "fails", ""),
