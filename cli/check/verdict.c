@@ -278,7 +278,9 @@ static void print_every(const struct document *d, const cagd_every *e)
 {
     heading("Proof");
     if (e->real) {
-        paragraph(append("", "It was decided for every real number $%s \\ge %ld$.", e->n, e->from), 1);
+        paragraph(append("", "It was decided for every real number $%s \\ge %ld$, and before that one by one.", e->n,
+                         e->from),
+                  1);
         return;
     }
     if (e->E != NULL)

@@ -44,7 +44,7 @@ enum use_of_ties { TIED, UNTIED, TIED_AND_DECOMPOSED };
 static int check_once(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick,
                       enum use_of_ties use, cagd_finding *out);
 
-/* For every real number in the place of the only whole one, from its first value on. */
+/* For every real number in the place of the only whole one, from behind the first cases on. */
 static int holds_for_reals(cagd_run *r)
 {
     long low;
@@ -53,6 +53,7 @@ static int holds_for_reals(cagd_run *r)
         return 0;
     cagd_scope scope = *r->scope;
     cagd_variable v = *r->whole[0];
+    low += CAGD_FIRST_CASES;
     v.whole = v.low_open = 0, v.low = cagd_tree_number(low, v.low->from, v.low->to);
     if (v.low == NULL || !cagd_declare(&scope, v))
         return 0;

@@ -105,7 +105,7 @@ class Literature(unittest.TestCase):
 
     def test_every_whole_number_as_a_real_one(self):
         for printed, expected in (("\\frac{n}{n+1} < 1", "holds"), ("x^2 + n^2 \\ge 2 n x", "holds"), ("(n+1)^2 > n^2", "holds"), ("n^2 + 1 \\ge 3 n", "fails"), ("n \\le 40", "fails"), ("|n - 40| = 40 - n", "fails"),
-                                  ("\\frac{n-40}{n-40} = 1", "undecided"), ("n^2 \\ge 100 n - 2500", "holds"), ("n^2 > 100 n - 2500", "fails"), ("n(n-1) \\ge 0", "undecided")):
+                                  ("\\frac{n-40}{n-40} = 1", "undecided"), ("n^2 \\ge 100 n - 2500", "holds"), ("n^2 > 100 n - 2500", "fails"), ("n(n-1) \\ge 0", "holds"), ("n^2 - 9 n + 20 \\ge 0", "holds"), ("n^2 - 41 n + 420 \\ge 0", "undecided"), ("n^2 - 9 n + 20 > 0", "fails")):
             s = verdict(printed, "n = 0..")
             self.assertEqual(s["verdict"], expected, printed)
             self.assertEqual("for_every_real" in s, expected == "holds", printed)
