@@ -1,5 +1,6 @@
 #include "exact/expression/evaluate.h"
 
+#include "core/clock.h"
 #include "exact/expression/angle.h"
 #include "exact/expression/cell.h"
 #include "exact/expression/tie.h"
@@ -8,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { STEPS_BETWEEN_LOOKS = 64 }; /* at the clock */
 enum { MOST_CALLS = 300, MOST_POWER = 1000, MOST_FACTORIAL = 1000, MOST_TERMS = 20000, MOST_Q = 100 };
 
 typedef cagd_frame frame;
@@ -1160,6 +1162,8 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return cagd_value_int(0);
     if (--c->steps < 0)
         return cagd_fail(c, t, FAULT_UNABLE, "more steps than are given to one case");
+    if (c->until > 0 && c->steps % STEPS_BETWEEN_LOOKS == 0 && cagd_seconds() > c->until)
+        return cagd_fail(c, t, FAULT_UNABLE, "the time was over");
     cagd_value r;
     switch (t->kind) {
     case CAGD_NUMBER:

@@ -20,7 +20,7 @@ enum { MOST_DIVISORS = 24, TRIED_NUMBERS = 12, MOST_TRIED = 3 };
 static void begin(const cagd_run *r, const cagd_part *p, cagd_context *c)
 {
     *c = (cagd_context){.scope = r->scope, .premise = r->premise, .in_field = 1, .steps = CAGD_USUAL_STEPS};
-    c->untied = r->untied, c->has_roots = 1;
+    c->untied = r->untied, c->has_roots = 1, c->until = r->until;
     c->whole_angles = r->out->whole_angles = !cagd_has_half_angles(r->scope, r->statement);
     for (int k = 0; k < r->wholes; k++)
         cagd_bind(c, r->chosen[k].name, cagd_value_constant(r->chosen[k].value));
