@@ -398,11 +398,13 @@ g(s,t) = s^2 t^3
     def test_roots_of_functions(self):
         """A root that is one side is squared; what fails is told where both sides are numbers, and a root that is not defined refutes nothing."""
         unit = "n = 1, 0 \\le t \\le 1"
-        for printed, ranges, expected in (("\\sqrt{1+t^2} \\le 1 + t", unit, "holds"), ("\\sqrt{t} \\ge t", unit, "holds"), ("\\sqrt{t} > t", unit, "fails"), ("1 \\le \\sqrt{1+t^2}", unit, "holds"), ("\\sqrt{1+t^2} \\le 1 + t/5", unit, "undecided"),
+        for printed, ranges, expected in (("\\sqrt{1+t^2} \\le 1 + t", unit, "holds"), ("\\sqrt{t} \\ge t", unit, "holds"), ("\\sqrt{t} > t", unit, "fails"), ("1 \\le \\sqrt{1+t^2}", unit, "holds"), ("\\sqrt{1+t^2} \\le 1 + t/5", unit, "fails"),
                                           ("\\sqrt{x^2+y^2} \\le |x| + |y|", "n = 1", "holds"), ("\\sqrt{x^2+1} > x", "n = 1", "holds"), ("\\sqrt{x^2} = x", "n = 1", "fails"), ("\\sqrt{x^2} \\ne x - 1", "n = 1", "holds"), ("\\sqrt{x^2} \\ne -x", "n = 1", "fails"),
-                                          ("\\sqrt{x} \\le x + 1", "n = 1", "undecided"), ("\\sqrt{x - 2} \\ge 0", "n = 1", "undecided"), ("\\sqrt{x - 2} \\le x^2 + 5", "n = 1", "undecided"), ("\\sqrt{x - 2} \\le x^2 + 5", "n = 1, x \\ge 2", "holds"), ("\\sqrt{x - 2} \\le 1 \\Rightarrow x \\le 3", "n = 1, x \\ge 2", "holds"), ("\\sqrt{x - 2} \\le 1 \\Rightarrow x \\le 3", "n = 1", "holds"),
+                                          ("\\sqrt{x} \\le x + 1", "n = 1", "holds"), ("\\sqrt{x - 2} \\ge 0", "n = 1", "holds"), ("\\sqrt{x - 2} \\le x^2 + 5", "n = 1", "holds"), ("\\sqrt{x - 2} \\le x^2 + 5", "n = 1, x \\ge 2", "holds"), ("\\sqrt{x - 2} \\le 1 \\Rightarrow x \\le 3", "n = 1, x \\ge 2", "holds"), ("\\sqrt{x - 2} \\le 1 \\Rightarrow x \\le 3", "n = 1", "holds"),
                                           ("|F(t) - t| \\le 1/4", unit, "holds"), ("|F(t) - t| < 1/4", unit, "fails"), ("\\|(t, t^2) - (t, t)\\| \\le 1/4", unit, "holds")):
             self.assertEqual(verdict(printed, ranges)["verdict"], expected, printed)
+        for printed in ("\\sqrt{x} \\le x + 1", "\\sqrt{x - 2} \\ge 0", "\\sqrt{x - 2} \\le x^2 + 5"):
+            self.assertIn("wherever both sides are defined", verdict(printed, "n = 1")["scope"], printed)
 
     def test_what_could_be_an_argument_or_a_factor_is_asked_for(self):
         let = "f(t) = t^3\ng(s,t) = s^2 t^3\n"
