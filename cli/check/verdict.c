@@ -70,11 +70,12 @@ static const char *source(const struct document *d, const cagd_tree *t)
     return text != NULL ? text : "";
 }
 
-/* The letters of a name without its numbers: "\omega" of "\omega_3". */
+/* The letters of a name without its numbers: "\omega" of "\omega_3", "\mathbf{P}" of the component "(\mathbf{P}_0)_x". */
 static int is_of(const char *key, const char *head)
 {
     size_t n = strlen(head);
-    return strncmp(key, head, n) == 0 && (key[n] == '\0' || head[n - 1] == '_' || key[n] == '^');
+    key += key[0] == '(' && head[0] != '(';
+    return strncmp(key, head, n) == 0 && (key[n] == '\0' || key[n] == ')' || head[n - 1] == '_' || key[n] == '^');
 }
 
 /* Whether a condition for every index speaks of names that the statement has; any other condition is told. */
@@ -156,6 +157,11 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         text = append(text, "%s$%s$", comma, source(d, s->scope.conditions[k]));
         comma = ", ";
     }
+    for (int k = 0; f->supposed != NULL && k < (f->supposed->kind == CAGD_ALL ? f->supposed->count : 1); k++) {
+        text =
+            append(text, "%s$%s$", comma, source(d, f->supposed->kind == CAGD_ALL ? f->supposed->at[k] : f->supposed));
+        comma = ", ";
+    }
     if (f->leaves_out_poles)
         text = append(text, "%swherever both sides are defined", text[0] != '\0' ? ", " : "");
     return text;
@@ -230,7 +236,9 @@ static void print_example(const struct document *d, const cagd_finding *f)
     for (int k = 0; k < f->given; k++)
         if (f->example[k].root != NULL)
             paragraph(append("", "Here %s", root_text(f->example[k].root)), 1);
-    if (f->has_root)
+    if (f->has_root && f->of_left != NULL && f->of_left->dimension != 0)
+        paragraph("There the two sides are different.", 1);
+    else if (f->has_root)
         paragraph(append("The left side is ", "%s the right one.", order_word[f->order + 1]), 1);
     if (!relates)
         return;
@@ -269,6 +277,12 @@ static void print_induction(const struct document *d, const cagd_every *e)
 static void print_every(const struct document *d, const cagd_every *e)
 {
     heading("Proof");
+    if (e->real) {
+        paragraph(append("", "It was decided for every real number $%s \\ge %ld$, and before that one by one.", e->n,
+                         e->from),
+                  1);
+        return;
+    }
     if (e->E != NULL)
         print_induction(d, e);
     if (e->closed && (e->E == NULL || e->sums > 0)) {
@@ -287,7 +301,9 @@ static void print_every(const struct document *d, const cagd_every *e)
     }
     if (e->closed)
         return;
-    paragraph(append("", "By creative telescoping, for $F(%s,%s)$ the terms of the sum and $G = R F$:", e->n, e->k), 1);
+    paragraph(append("", "By creative telescoping, for $F(%s,%s)$ the terms of the sum%s and $G = R F$:", e->n, e->k,
+                     e->counted ? append("", ", with $%s$ counted from the first one", e->k) : ""),
+              1);
     const char *sum = "";
     for (int j = 0; j <= e->order; j++)
         sum = append(sum, "%s(%s) F(%s%s,%s)", j > 0 ? " + " : "", e->a[j], e->n,
@@ -448,7 +464,10 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         json_object_set_new(j, "changes_noticed", json_integer(f->noticed));
         json_object_set_new(j, "says_nothing", json_boolean(f->says_nothing));
     }
-    if (f->for_every && f->every.closed) {
+    if (f->for_every && f->every.real) {
+        json_object_set_new(j, "for_every_real",
+                            json_pack("{s:s, s:I}", "n", f->every.n, "from", (json_int_t)f->every.from));
+    } else if (f->for_every && f->every.closed) {
         json_t *sums = json_array();
         for (int k = 0; k < f->every.sums; k++)
             json_array_append_new(sums, json_pack("{s:s, s:s, s:s}", "k", f->every.sum[k].k, "a", f->every.sum[k].a,
@@ -463,8 +482,9 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         for (int k = 0; k <= f->every.order; k++)
             json_array_append_new(a, json_string(f->every.a[k]));
         json_object_set_new(j, "telescoper",
-                            json_pack("{s:s, s:s, s:I, s:o, s:s}", "n", f->every.n, "k", f->every.k, "from",
-                                      (json_int_t)f->every.from, "a", a, "R", f->every.R));
+                            json_pack("{s:s, s:s, s:I, s:o, s:s, s:b}", "n", f->every.n, "k", f->every.k, "from",
+                                      (json_int_t)f->every.from, "a", a, "R", f->every.R, "counted_from_the_first",
+                                      f->every.counted));
     }
     if (s->expected != EXPECT_NOTHING)
         json_object_set_new(j, "expected", json_string(expected_name[s->expected]));

@@ -330,39 +330,53 @@ static int no_factor_vanishes(num_f p, num_f n, num_f k, int from, int generic)
 
 int cagd_is_never_zero(num_f p, num_f n, num_f k, int from) { return no_factor_vanishes(p, n, k, from, 1); }
 
+/* The last k, N = p n + e. */
+static int by_of(const cagd_sum *s) { return s->by > 0 ? s->by : 1; }
+static num_f last_of(const cagd_sum *s, num_f n) { return plus(mul_f(whole(by_of(s)), n), s->beyond); }
+
+/* Factors without k for n >= from; the others for 0 <= k <= N, n being (N - e)/p. */
 static int never_zero(num_f p, num_f n, num_f k, const cagd_sum *s)
 {
-    return no_factor_vanishes(p, n, k, s->from, s->generic);
+    num_f factor[MOST_FACTORS], with_k = whole(1);
+    int power[MOST_FACTORS], count = cagd_is_zero_f(p) ? -1 : cagd_factors_f(p, k, MOST_FACTORS, factor, power);
+    for (int i = 0; i < count; i++) {
+        p = div_f(p, power_of(factor[i], power[i]));
+        with_k = mul_f(with_k, factor[i]);
+    }
+    if (count < 0 || !no_factor_vanishes(p, n, k, s->from, s->generic))
+        return 0;
+    num_f by_last = substitute_f(with_k, n, div_f(plus(n, -s->beyond), whole(s->by)));
+    return no_factor_vanishes(cagd_numerator_f(by_last), n, k, by_of(s) * s->from + s->beyond, s->generic);
 }
 
-/* F(n+j, n+i)/F(n,n) for i <= j. */
-static num_f near_the_end(cagd_term F, num_f n, num_f k, int j, int i)
+/* F(n+j, N+i)/F(n,N) for i <= p j. */
+static num_f near_the_end(cagd_term F, num_f n, num_f k, num_f last, int j, int i)
 {
-    num_f r = substitute_f(step_in_n(F, n, j), k, n);
+    num_f r = substitute_f(step_in_n(F, n, j), k, last);
     num_f by_k = shifted(F.by_k, n, j); /* F(n+j,k+1)/F(n+j,k) */
     for (int m = 0; m < i; m++)
-        r = mul_f(r, substitute_f(by_k, k, plus(n, m)));
+        r = mul_f(r, substitute_f(by_k, k, plus(last, m)));
     return r;
 }
 
-/* The terms of sum_k sum_j a_j F(n+j,k) beyond k = n - 1, over F(n,n), and what telescoping leaves at k = n. */
-static num_f rest_at_the_end(cagd_term F, num_f n, num_f k, const cagd_telescoper *T)
+/* The terms of sum_k sum_j a_j F(n+j,k) beyond k = N - 1, over F(n,N), and what telescoping leaves at k = N. */
+static num_f rest_at_the_end(const cagd_sum *s, num_f n, num_f k, const cagd_telescoper *T)
 {
-    num_f rest = substitute_f(T->R, k, n);
+    num_f last = last_of(s, n), rest = substitute_f(T->R, k, last);
     for (int j = 0; j <= T->order; j++)
-        for (int i = 0; i <= j; i++)
-            rest = add_f(rest, mul_f(T->a[j], near_the_end(F, n, k, j, i)));
+        for (int i = 0; i <= by_of(s) * j; i++)
+            rest = add_f(rest, mul_f(T->a[j], near_the_end(s->F, n, k, last, j, i)));
     return rest;
 }
 
-/* sum_{k=0}^m F(m,k) for the number m >= from. */
+/* The sum of the F(m,k) for the number m >= from. */
 static num_f sum_of_row(const cagd_sum *s, num_f n, num_f k, int m)
 {
     num_f value = s->first, sum = whole(0);
     for (int i = s->from; i < m; i++)
         value = mul_f(value, substitute_f(substitute_f(s->F.by_n, k, whole(0)), n, whole(i)));
     num_f by_k = substitute_f(s->F.by_k, n, whole(m));
-    for (int i = 0; i <= m; i++) {
+    for (int i = 0; i <= by_of(s) * m + s->beyond; i++) {
         sum = add_f(sum, value);
         value = mul_f(value, substitute_f(by_k, k, whole(i)));
     }
@@ -380,7 +394,7 @@ enum cagd_sum_answer cagd_sum_for_every_n(const cagd_sum *s, num_f n, num_f k, i
     }
     if (!cagd_telescope(s->F, n, k, most, T) || !cagd_telescoper_holds(s->F, n, k, T))
         return CAGD_SUM_UNDECIDED;
-    /* 0 <= k <= n: the ratios and G are defined, and nothing is left at either end. */
+    /* 0 <= k <= N: the ratios and G are defined, and nothing is left at either end. */
     if (!never_zero(cagd_denominator_f(s->F.by_k), n, k, s))
         return CAGD_SUM_UNDECIDED;
     if (!never_zero(cagd_denominator_f(s->ratio), n, k, s))
@@ -389,7 +403,7 @@ enum cagd_sum_answer cagd_sum_for_every_n(const cagd_sum *s, num_f n, num_f k, i
         if (!never_zero(cagd_denominator_f(step_in_n(s->F, n, j)), n, k, s))
             return CAGD_SUM_UNDECIDED;
     if (!never_zero(cagd_denominator_f(T->R), n, k, s) || !cagd_is_zero_f(substitute_f(T->R, k, whole(0))) ||
-        !cagd_is_zero_f(rest_at_the_end(s->F, n, k, T)))
+        !cagd_is_zero_f(rest_at_the_end(s, n, k, T)))
         return CAGD_SUM_UNDECIDED;
     /* S satisfies the recurrence, which determines the next value, a_J being nowhere 0. */
     num_f left = whole(0), product = whole(1);

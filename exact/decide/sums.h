@@ -47,13 +47,13 @@ int cagd_telescoper_holds(cagd_term F, cagd_num_f n, cagd_num_f k, const cagd_te
  * where that cannot be told. */
 int cagd_is_never_zero(cagd_num_f p, cagd_num_f n, cagd_num_f k, int from);
 
-/* A sum over k = 0, ..., n.  With G(n,k) = R F the telescoped identity, summed over k = 0, ..., n - 1, is
+/* A sum over k = 0, ..., N with N = p n + e, 0 <= e < p; n itself for p = 1.  With G(n,k) = R F the telescoped identity, summed over k = 0, ..., N - 1, is
  *
- *     sum_j a_j S(n+j) = G(n,n) - G(n,0) + sum_j a_j (F(n+j,n) + ... + F(n+j,n+j)),
+ *     sum_j a_j S(n+j) = G(n,N) - G(n,0) + sum_j a_j (F(n+j,N) + ... + F(n+j,N+p j)),
  *
  * whose right side has to be 0.  It is S(n) with S(n+1)/S(n) = ratio for every n >= from when both satisfy the recurrence and agree for
  * n = from, ..., from+J-1.  Steps that cannot be decided make the answer UNDECIDED; so does a factor that vanishes somewhere for
- * 0 <= k <= n.  Variables besides n and k stand for positive values wherever a sign is needed. */
+ * 0 <= k <= N.  Variables besides n and k stand for positive values wherever a sign is needed. */
 enum cagd_sum_answer { CAGD_SUM_PROVED, CAGD_SUM_REFUTED, CAGD_SUM_UNDECIDED };
 typedef struct cagd_sum {
     cagd_term F;
@@ -63,6 +63,7 @@ typedef struct cagd_sum {
     int from;         /* at least 0                                                          */
     int generic;      /* whether S(n) is meant as a rational function of the variables besides n and k, and not for
                          each of their positive values: what is 0 for some of them alone is no harm                   */
+    int by, beyond;   /* p, 0 standing for 1, and e                                          */
 } cagd_sum;
 enum cagd_sum_answer cagd_sum_for_every_n(const cagd_sum *s, cagd_num_f n, cagd_num_f k, int most, cagd_telescoper *T);
 #endif

@@ -1,12 +1,12 @@
 #include "exact/expression/angle.h"
 
-#include "exact/expression/cell.h"
+#include "exact/expression/angle_bounds.h"
 #include "exact/words.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_MULTIPLE = 1000, DEEPEST = 12, TWELFTHS = 12, MOST_MET = 64, MOST_PARTS = 24, NEARNESS = 1 << 20 };
+enum { MOST_MULTIPLE = 1000, DEEPEST = 12, TWELFTHS = 12, MOST_MET = 64 };
 
 /* The cosine and the sine of an angle. */
 struct turn {
@@ -126,9 +126,6 @@ int cagd_multiple_of_pi(const cagd_scope *scope, const cagd_tree *t, num_q *time
 
 /* ---- one angle ----------------------------------------------------------------------------------------- */
 
-/* phi is the angle over so much. */
-static int share(const cagd_context *c) { return c->whole_angles ? 2 : 4; }
-
 /* Where the angle is the one from which x counts: so many times a quarter of the way around before it. */
 static int text_of_base(const cagd_context *c, const char *angle, int quarters, char text[], int room)
 {
@@ -143,7 +140,7 @@ static int key_of_turned(const cagd_context *c, const char *angle, int quarters,
 {
     char text[112];
     return text_of_base(c, angle, quarters, text, sizeof text) &&
-           snprintf(key, (size_t)room, "\\tan(%s/%d)", text, share(c)) < room;
+           snprintf(key, (size_t)room, "\\tan(%s/%d)", text, cagd_share_of_angle(c)) < room;
 }
 
 int cagd_key_of_tangent(const cagd_context *c, const char *angle, char key[], int room)
@@ -159,180 +156,7 @@ static int key_of_cosine(const cagd_context *c, const char *angle, int quarters,
            snprintf(key, (size_t)room, c->whole_angles ? "\\cos(%s)" : "\\cos(%s/2)", text) < room;
 }
 
-/* ---- bounds of an angle -------------------------------------------------------------------------------- */
-
-/* From where to where an angle goes, as multiples of pi behind the one from which x counts; `quarters` is that one.  With `known` = 0 the bounds are
- * not such multiples; `all` means that it goes all around, or has no bounds. */
-struct way_around {
-    int known, all, is_empty, quarters;
-    num_q end[2];
-};
-
-/* Ends from -1/2 to 3/2 of the way around: where there is an x for everything between them, perhaps after turning by quarters. */
-static void turn(struct way_around *w, num_q full)
-{
-    num_q half = div_q(full, from_int_q(2)), quarter = div_q(full, from_int_q(4));
-    if (cagd_compare_q(w->end[1], half) <= 0)
-        return;
-    num_q middle = div_q(add_q(w->end[0], w->end[1]), from_int_q(2));
-    while (cagd_compare_q(middle, mul_q(quarter, from_ratio_q(2 * w->quarters + 1, 2))) > 0)
-        w->quarters++;
-    for (int k = 0; k < 2; k++)
-        w->end[k] = sub_q(w->end[k], mul_q(quarter, from_int_q(w->quarters)));
-    if (cagd_compare_q(w->end[0], neg_q(half)) < 0 || cagd_compare_q(w->end[1], half) > 0)
-        w->known = 0;
-}
-
-static struct way_around way_of(const cagd_context *c, const cagd_variable *v)
-{
-    struct way_around w = {.known = 1, .all = 1};
-    if (v->low == NULL && v->high == NULL)
-        return w;
-    if (v->low == NULL || v->high == NULL || !cagd_multiple_of_pi(c->scope, v->low, &w.end[0]) ||
-        !cagd_multiple_of_pi(c->scope, v->high, &w.end[1])) {
-        w.known = 0;
-        return w;
-    }
-    num_q full = from_int_q(share(c)), length = sub_q(w.end[1], w.end[0]);
-    w.is_empty = cagd_sign_q(length) < 0;
-    int order = cagd_compare_q(length, full);
-    w.all = order > 0 || (order == 0 && !(v->low_open && v->high_open));
-    if (w.is_empty || w.all)
-        return w;
-    num_q turns = cagd_floor_q(add_q(div_q(w.end[0], full), from_ratio_q(1, 2))); /* x is the same after so many */
-    for (int k = 0; k < 2; k++)
-        w.end[k] = sub_q(w.end[k], mul_q(turns, full));
-    turn(&w, full);
-    return w;
-}
-
-/* tan of that many times pi where it is -1, 0 or 1: 1 and *x; 2 for -1/2 and 1/2; 0 for others. */
-static int tangent_of(num_q times, num_q *x)
-{
-    for (int k = -2; k <= 2; k++)
-        if (cagd_equal_q(times, from_ratio_q(k, 4))) {
-            *x = from_int_q(k);
-            return k == 2 || k == -2 ? 2 : 1;
-        }
-    return 0;
-}
-
-/* tan(p pi/q), |p/q| < 1/2, as a root: those of Im (1 + i x)^q are tan(k pi/q), increasing with k.  0 where q is too great. */
-static int root_tangent(num_q times, struct cagd_root *out)
-{
-    num_f x = cagd_variable_f("v0");
-    long p = 0, q = 1;
-    while (q <= MOST_PARTS && !cagd_value_is_whole(cagd_value_q(mul_q(times, from_int_q(q))), &p))
-        q++;
-    if (q > MOST_PARTS)
-        return 0;
-    num_f re = from_int_f(1), im = from_int_f(0), factor[MOST_PARTS];
-    int power[MOST_PARTS];
-    for (long k = 0; k < q; k++) {
-        num_f next = sub_f(re, mul_f(im, x));
-        im = add_f(mul_f(re, x), im), re = next;
-    }
-    poly all, one, f;
-    cagd_poly_from_field(im, x, &all, &one);
-    num_q far = cagd_root_bound(all);
-    int factors = cagd_factors_f(im, x, MOST_PARTS, factor, power);
-    for (int i = 0; i < factors && region_faults == 0; i++) {
-        struct cagd_root root[MOST_PARTS];
-        cagd_poly_from_field(factor[i], x, &f, &one);
-        int count = cagd_poly_degree(f) > 1 ? cagd_isolate_roots(f, neg_q(far), far, root, MOST_PARTS) : 0;
-        for (int k = 0; k < count && k < MOST_PARTS; k++) {
-            *out = cagd_refine_root(root[k], from_ratio_q(1, NEARNESS));
-            if (cagd_count_roots(all, neg_q(far), out->lo, CLOSED).distinct == p + (q - 1) / 2)
-                return region_faults == 0;
-        }
-    }
-    return 0;
-}
-
-int cagd_end_of_angle(const cagd_binding *b, int k, num_f *p)
-{
-    if (!b->is_root_end[k])
-        return 0;
-    const struct cagd_root *r = &b->root_end[k];
-    num_f x = b->value.f;
-    *p = from_int_f(0);
-    for (int e = cagd_poly_degree(r->factor); e >= 0; e--)
-        *p = add_f(mul_f(*p, x), from_rational_f(cagd_poly_coefficient(r->factor, e)));
-    if (cagd_sign_q(cagd_poly_value(r->factor, k == 0 ? r->hi : r->lo)) < 0)
-        *p = neg_f(*p);
-    return 1;
-}
-
-int cagd_is_within_angle(const cagd_binding *b, num_q x)
-{
-    for (int k = 0; k < 2; k++)
-        if (b->is_root_end[k]) {
-            const struct cagd_root *r = &b->root_end[k];
-            int inside = cagd_sign_q(cagd_poly_value(r->factor, k == 0 ? r->hi : r->lo));
-            if (cagd_sign_q(cagd_poly_value(r->factor, x)) != inside)
-                return 0;
-        }
-    return 1;
-}
-
-/* Whether between the bounds of x the polynomials of the ends that are roots have no other roots than those. */
-static int roots_tell(const cagd_binding *b)
-{
-    for (int k = 0; k < 2; k++) {
-        if (!b->is_root_end[k])
-            continue;
-        poly f = b->root_end[k].factor;
-        num_q far = cagd_root_bound(f), low = b->has_low ? b->low : neg_q(far), high = b->has_high ? b->high : far;
-        int own = 0;
-        for (int m = 0; m < 2; m++)
-            own += b->is_root_end[m] && cagd_poly_degree(poly_gcd(f, b->root_end[m].factor)) > 0;
-        if (own == 2 && b->root_end_open[0] != b->root_end_open[1]) /* the sign does not tell which end is which */
-            return 0;
-        if (cagd_compare_q(low, high) >= 0 || cagd_count_roots(f, low, high, CLOSED).distinct != own)
-            return 0;
-    }
-    return region_faults == 0;
-}
-
-/* x is above the tangent of that many times pi, or below it for k = 1. */
-static int bound_tangent(cagd_context *c, cagd_binding *b, int k, num_q times, int open)
-{
-    num_q x;
-    int kind = tangent_of(times, &x);
-    if (kind == 2)
-        return 1;
-    if (kind == 0) {
-        if (!root_tangent(times, &b->root_end[k]))
-            return 0;
-        x = k == 0 ? b->root_end[k].lo : b->root_end[k].hi;
-        b->is_root_end[k] = 1, b->root_end_open[k] = open;
-    }
-    num_f above = cagd_in_field(cagd_value_sub(b->value, cagd_value_q(x)));
-    cagd_limit_cell(c, k == 0 ? above : neg_f(above), kind == 0 || open);
-    return 1;
-}
-
-/* Bounds of the angle as bounds of x; *has_apart: whether the angle without x is within them.  0 where that cannot be said. */
-static int bound_angle(cagd_context *c, const cagd_variable *v, cagd_binding *b, const struct way_around *w,
-                       int *has_apart)
-{
-    *has_apart = w->all;
-    c->used_bounds |= v->low != NULL;
-    if (!w->known)
-        return 0;
-    if (w->is_empty)
-        c->is_empty = 1, *has_apart = 0;
-    if (w->is_empty || w->all)
-        return 1;
-    num_q full = from_int_q(share(c)), half = div_q(full, from_int_q(2));
-    *has_apart =
-        (!v->low_open && cagd_equal_q(w->end[0], neg_q(half))) || (!v->high_open && cagd_equal_q(w->end[1], half));
-    int good = bound_tangent(c, b, 0, div_q(w->end[0], full), v->low_open) &&
-               bound_tangent(c, b, 1, div_q(w->end[1], full), v->high_open);
-    if (good && b->value.rational) /* a number is inside, or it is not */
-        c->is_empty |= !cagd_is_within_angle(b, b->value.q);
-    return good && (b->value.rational || roots_tell(b));
-}
+/* ---- sine and cosine ------------------------------------------------------------------------------------- */
 
 /* The angle without x is looked at apart, by the name of its cosine. */
 static void set_apart(cagd_context *c, const char *cosine)
@@ -368,7 +192,7 @@ static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *ke
         cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
         return *none();
     }
-    struct way_around w = way_of(c, v);
+    cagd_way_around w = cagd_way_of_angle(c, v);
     if (!key_of_turned(c, key, w.quarters, tangent, sizeof tangent) ||
         !key_of_cosine(c, key, w.quarters, cosine, sizeof cosine))
         return *none();
@@ -379,10 +203,8 @@ static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *ke
     cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, tangent) : NULL;
     if (b != NULL && b->angle == NULL) {
         b->angle = cagd_text_of(key, (int)strlen(key)), b->turned = w.quarters;
-        if (!bound_angle(c, v, b, &w, &has_apart))
-            cagd_fail(
-                c, t, FAULT_UNABLE,
-                "bounds of an angle that are no multiples of \\pi, or more than three quarters of the way around");
+        if (!cagd_bound_angle(c, v, b, &w, &has_apart))
+            cagd_fail(c, t, FAULT_UNABLE, "bounds of an angle that are no multiples of \\pi/12");
         else if (has_apart)
             set_apart(c, cosine);
     }
@@ -411,8 +233,8 @@ static const struct cagd_angle *angle_of_letter(cagd_context *c, const cagd_tree
 static void add_multiple(cagd_context *c, const cagd_tree *t, num_q times, struct turn unit, struct turn *sum)
 {
     long units;
-    if (!cagd_value_is_whole(cagd_value_q(mul_q(times, from_ratio_q(share(c), 2))), &units) || units > MOST_MULTIPLE ||
-        units < -MOST_MULTIPLE)
+    if (!cagd_value_is_whole(cagd_value_q(mul_q(times, from_ratio_q(cagd_share_of_angle(c), 2))), &units) ||
+        units > MOST_MULTIPLE || units < -MOST_MULTIPLE)
         refuse(c, t);
     else if (region_faults == 0)
         *sum = turned(*sum, several(unit, units));
@@ -647,6 +469,6 @@ int cagd_is_angle_in(cagd_context *c, const cagd_tree *t, const char *letter)
 
 num_f cagd_by_angle_f(const cagd_context *c, num_f g, num_f x)
 {
-    num_f speed = div_f(add_f(from_int_f(1), mul_f(x, x)), from_int_f(share(c)));
+    num_f speed = div_f(add_f(from_int_f(1), mul_f(x, x)), from_int_f(cagd_share_of_angle(c)));
     return mul_f(derivative_f(g, x), speed);
 }

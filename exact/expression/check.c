@@ -5,11 +5,12 @@
 #include "exact/expression/change.h"
 #include "exact/expression/clauses.h"
 #include "exact/expression/depends.h"
+#include "exact/expression/lift.h"
 #include "exact/expression/vacuous.h"
 #include "exact/number/recorder.h"
 #include "exact/words.h"
 
-enum { FURTHER_CASES = 24, MOST_CHANGES = 60 };
+enum { FURTHER_CASES = 248, MOST_CHANGES = 60 };
 
 /* For the only whole number, whose first cases hold. */
 static int proved_for_every(cagd_run *r)
@@ -40,6 +41,30 @@ static int fails_further(cagd_run *r)
 /* What becomes of equalities of higher degree: they make names functions of others (tie.h), or they are left for a decomposition (implied.h), or both. */
 enum use_of_ties { TIED, UNTIED, TIED_AND_DECOMPOSED };
 
+static int check_once(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick,
+                      enum use_of_ties use, cagd_finding *out);
+
+/* For every real number in the place of the only whole one, from behind the first cases on. */
+static int holds_for_reals(cagd_run *r)
+{
+    long low;
+    cagd_finding *f = region_bytes(sizeof *f);
+    if (f == NULL || !cagd_has_one_number(r, &low))
+        return 0;
+    cagd_scope scope = *r->scope;
+    cagd_variable v = *r->whole[0];
+    low += CAGD_FIRST_CASES;
+    v.whole = v.low_open = 0, v.low = cagd_tree_number(low, v.low->from, v.low->to);
+    if (v.low == NULL || !cagd_declare(&scope, v))
+        return 0;
+    check_once(&scope, r->statement, (r->until - cagd_seconds()) / 4, 0, TIED, f);
+    if (f->answer != CAGD_HOLDS || f->leaves_out_poles)
+        return 0;
+    r->out->for_every = 1, r->out->every = (cagd_every){.real = 1, .from = low, .n = v.head, .k = "", .R = ""};
+    cagd_weaken(r->out, f->strength);
+    return 1;
+}
+
 /* How many equalities of higher degree were used; 0 where some side was not defined. */
 static int check_once(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick,
                       enum use_of_ties use, cagd_finding *out)
@@ -69,7 +94,7 @@ static int check_once(const cagd_scope *scope, const cagd_tree *statement, doubl
         }
     }
     if (out->undecided == 0 && !out->has_example && !out->out_of_time && !quick && cagd_has_no_end(&r) &&
-        !proved_for_every(&r) && !fails_further(&r)) {
+        !proved_for_every(&r) && !holds_for_reals(&r) && !fails_further(&r)) {
         out->first_alone = 1;
         out->why = "the first cases hold, and for every number it is not proved";
     }
@@ -121,13 +146,45 @@ static int tell_sides(const cagd_scope *scope, const cagd_tree *t, cagd_finding 
     return told;
 }
 
-/* What is not decided with its amounts, and so with conditions of higher degree, may be decided as implications (clauses.h). */
-static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
+/* Whether q >= 0 wherever it is defined. */
+static int is_never_negative(const cagd_scope *scope, const cagd_tree *q, double until)
 {
-    double until = cagd_seconds() + seconds;
-    check_as_read(scope, statement, until, quick, out);
-    if (out->answer != CAGD_UNDECIDED || out->first_alone || cagd_seconds() > until)
+    const cagd_relation at_least = CAGD_GREATER_OR_EQUAL;
+    cagd_tree *t = cagd_tree_new(CAGD_RELATION, q->from, q->to, 2);
+    cagd_finding *f = region_bytes(sizeof *f);
+    if (t == NULL || f == NULL)
+        return 0;
+    t->at[0] = q, t->at[1] = cagd_tree_number(0, q->from, q->to), t->relation = &at_least;
+    if (t->at[1] != NULL)
+        check_as_read(scope, t, until, 1, f);
+    return f->answer == CAGD_HOLDS;
+}
+
+/* What is not decided with its roots may be decided with names for them (lift.h). */
+static void check_with_names_for_roots(const cagd_scope *scope, const cagd_tree *statement, double until, int quick,
+                                       cagd_finding *out)
+{
+    cagd_scope with_roots = *scope;
+    cagd_lifted *lifted = region_bytes(sizeof *lifted);
+    cagd_finding *f = region_bytes(sizeof *f);
+    const cagd_tree *t = lifted != NULL ? cagd_with_roots_lifted(&with_roots, statement, lifted) : NULL;
+    if (t == NULL || f == NULL)
         return;
+    check_as_read(&with_roots, t, until, quick, f);
+    if (f->answer == CAGD_UNDECIDED)
+        return;
+    cagd_forget_lifted(f, lifted);
+    if (f->answer == CAGD_FAILS && !f->has_root && !tell_sides(scope, statement, f))
+        f->of_left = f->of_right = NULL;
+    for (int k = 0; f->answer == CAGD_HOLDS && k < lifted->count && !f->leaves_out_poles && !quick; k++)
+        f->leaves_out_poles = !lifted->is_length[k] && !is_never_negative(scope, lifted->of[k], until);
+    *out = *f;
+}
+
+/* What is not decided with its amounts, and so with conditions of higher degree, may be decided as implications (clauses.h). */
+static void check_in_clauses(const cagd_scope *scope, const cagd_tree *statement, double until, int quick,
+                             cagd_finding *out)
+{
     const cagd_tree *other = cagd_in_implications(statement);
     cagd_finding *second = other != NULL && other != statement ? region_bytes(sizeof *second) : NULL;
     if (second == NULL)
@@ -140,6 +197,16 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
     }
     if (second->answer != CAGD_UNDECIDED)
         *out = *second;
+}
+
+static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
+{
+    double until = cagd_seconds() + seconds;
+    check_as_read(scope, statement, until, quick, out);
+    if (out->answer == CAGD_UNDECIDED && !out->first_alone && cagd_seconds() < until)
+        check_in_clauses(scope, statement, until, quick, out);
+    if (out->answer == CAGD_UNDECIDED && !out->first_alone && cagd_seconds() < until)
+        check_with_names_for_roots(scope, statement, until, quick, out);
 }
 
 /* ---- conditions behind a formula -------------------------------------------------------------------------- */
@@ -161,6 +228,28 @@ static int tells_a_name(const cagd_scope *scope, const cagd_tree *t)
 {
     return t->kind == CAGD_RELATION && t->count == 2 && t->relation[0] == CAGD_EQUAL && t->at[0]->kind == CAGD_NAME &&
            t->at[0]->count == 0 && cagd_defined(scope, t->at[0]->head) == NULL;
+}
+
+/* 0 <= t <= 1: numbers on both sides of a name.  Nobody says of a name that it has such bounds: it is a range. */
+static int is_range_of_name(const cagd_tree *t)
+{
+    int less = 0, greater = 0,
+        is = t->kind == CAGD_RELATION && t->count == 3 && t->at[1]->kind == CAGD_NAME && t->at[1]->count == 0;
+    for (int k = 0; is && k < 2; k++) {
+        const cagd_tree *end = t->at[2 * k]->kind == CAGD_NEGATIVE ? t->at[2 * k]->at[0] : t->at[2 * k];
+        is = end->kind == CAGD_NUMBER;
+        less += t->relation[k] == CAGD_LESS || t->relation[k] == CAGD_LESS_OR_EQUAL;
+        greater += t->relation[k] == CAGD_GREATER || t->relation[k] == CAGD_GREATER_OR_EQUAL;
+    }
+    return is && (less == 2 || greater == 2);
+}
+
+static int are_ranges(const cagd_tree *supposed)
+{
+    int are = supposed->kind == CAGD_ALL || is_range_of_name(supposed);
+    for (int k = 0; supposed->kind == CAGD_ALL && k < supposed->count; k++)
+        are &= is_range_of_name(supposed->at[k]);
+    return are;
 }
 
 /* "A, \quad u + v = 1" with the parts of plain names behind the first supposed; NULL where there are none. */
@@ -197,8 +286,10 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
     if (second == NULL)
         return;
     check(scope, other, seconds, 0, second);
-    if (second->answer == CAGD_FAILS) { /* in both readings, with numbers that satisfy what can be a condition */
+    if (second->answer == CAGD_FAILS ||
+        are_ranges(other->at[0])) { /* in both readings, with numbers that satisfy what can be a condition */
         *out = *second;
+        out->supposed = out->answer == CAGD_HOLDS ? other->at[0] : NULL;
         return;
     }
     *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = where};
@@ -211,6 +302,8 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
 {
     double until = cagd_seconds() + seconds;
     int held = 0;
+    const cagd_tree *where, *other = out->supposed != NULL ? with_parts_supposed(scope, statement, &where) : NULL;
+    statement = other != NULL ? other : statement;
     for (int k = 0; k < MOST_CHANGES && cagd_seconds() < until; k++) {
         region_mark mark = region_open();
         cagd_finding *f = region_bytes(sizeof *f);

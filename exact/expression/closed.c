@@ -88,6 +88,8 @@ static int binomial(cagd_search *s, num_f a, num_f b, num_f *out)
         *out = from_int_f(1);
         for (long i = 0; i < m; i++)
             *out = mul_f(*out, div_f(plus(a, -i), from_int_f(i + 1)));
+        if (cagd_is_whole_q(lower) && mpq_sgn(lower.at) < 0 && is_never_negative(s, a)) /* C(a,-m) = C(a,a+m) = 0 */
+            *out = from_int_f(0), m = 0;
         return m >= 0;
     }
     if (!factorial(s, a, &x) || !factorial(s, b, &y) || !factorial(s, other, &z))
@@ -142,6 +144,24 @@ static int power(cagd_search *s, const cagd_tree *base, const cagd_frame *f, int
            power_of_number(s, mpq_numref(size.at), p, c, out) && power_of_number(s, mpq_denref(size.at), -p, -c, out);
 }
 
+/* [e]_q = (q^e - 1)/(q - 1) for a name q and e = p n + c that is never negative: what is equal for all other q is equal for q = 1, too, both being
+ * polynomials there. */
+static int q_number(cagd_search *s, num_f e, const cagd_tree *q, const cagd_frame *f, num_f *out)
+{
+    int p, c;
+    num_f base;
+    if (!is_never_negative(s, e) || !cagd_linear_with_n(s, e, &p, &c) || !cagd_value_in(s, q, f, &base) ||
+        is_constant_f(base, NULL))
+        return 0;
+    *out = from_int_f(1);
+    if (p == 0)
+        *out = cagd_power_f(base, c);
+    else if (!power_of(s, base, p, c, out))
+        return 0;
+    *out = div_f(plus(*out, -1), plus(base, -1));
+    return region_faults == 0;
+}
+
 /* ---- where it is defined ----------------------------------------------------------------------------------- */
 
 int cagd_is_defined_for_every(const cagd_search *s, num_f value)
@@ -187,15 +207,17 @@ static int of_sum(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f
         return 0;
     long begin = mpz_get_si(mpq_numref(first.at)), end = mpz_get_si(mpq_numref(last.at));
     cagd_frame inner = {t->head, {.f = s->k}, f};
-    if (s->from + end + 1 < begin || !cagd_take_within(s, t->at[2], &inner, begin, end, &terms) ||
-        !cagd_divisors_are_not_zero(s, begin, end))
+    if (s->from + end + 1 < begin || !cagd_take_within(s, t->at[2], &inner, cagd_range_to_n(begin, end), &terms) ||
+        !cagd_divisors_are_not_zero(s, cagd_range_to_n(begin, end)))
         return 0;
     while (begin < FURTHEST && cagd_is_zero_f(substitute_f(terms.rational, s->k, from_int_f(begin))) &&
            region_faults == 0)
         begin++; /* terms that are 0, so that the ratios of the others are defined */
     if (s->from + end + 1 < begin || !cagd_telescope(terms.ratio, s->n, s->k, 0, &T) ||
-        !cagd_telescoper_holds(terms.ratio, s->n, s->k, &T) || !cagd_divides_in_range(s, T.R, begin, end + 1) ||
-        !cagd_divides_in_range(s, terms.ratio.by_k, begin, end) || !cagd_is_never_zero(T.a[0], s->n, s->k, s->from))
+        !cagd_telescoper_holds(terms.ratio, s->n, s->k, &T) ||
+        !cagd_divides_in_range(s, T.R, cagd_range_to_n(begin, end + 1)) ||
+        !cagd_divides_in_range(s, terms.ratio.by_k, cagd_range_to_n(begin, end)) ||
+        !cagd_is_never_zero(T.a[0], s->n, s->k, s->from))
         return 0;
     /* G(high+1) - G(begin). */
     const num_f at[] = {from_int_f(begin), plus(high, 1)};
@@ -242,7 +264,7 @@ int cagd_closed(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *
     if (s->depth == MOST_DEPTH)
         return 0;
     if (cagd_value_in(s, t, f, out))
-        return cagd_divisors_are_not_zero(s, 0, 0) && cagd_is_defined_for_every(s, *out);
+        return cagd_divisors_are_not_zero(s, cagd_range_to_n(0, 0)) && cagd_is_defined_for_every(s, *out);
     int good = 0;
     s->depth++;
     switch (t->kind) {
@@ -264,6 +286,9 @@ int cagd_closed(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *
         break;
     case CAGD_BINOMIAL:
         good = cagd_value_in(s, t->at[0], f, &a) && cagd_value_in(s, t->at[1], f, &b) && binomial(s, a, b, out);
+        break;
+    case CAGD_Q_NUMBER:
+        good = cagd_value_in(s, t->at[0], f, &a) && q_number(s, a, t->at[1], f, out);
         break;
     case CAGD_SUM_OVER:
         good = of_sum(s, t, f, out) || cagd_sum_to_n(s, t, f, out);

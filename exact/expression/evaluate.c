@@ -1,5 +1,6 @@
 #include "exact/expression/evaluate.h"
 
+#include "core/clock.h"
 #include "exact/expression/angle.h"
 #include "exact/expression/cell.h"
 #include "exact/expression/tie.h"
@@ -8,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { STEPS_BETWEEN_LOOKS = 64 }; /* at the clock */
 enum { MOST_CALLS = 300, MOST_POWER = 1000, MOST_FACTORIAL = 1000, MOST_TERMS = 20000, MOST_Q = 100 };
 
 typedef cagd_frame frame;
@@ -996,6 +998,7 @@ static cagd_value root_of(cagd_context *c, const cagd_tree *t, cagd_value a, lon
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
         if (region_faults == 0 && n == 2 && a.rational && cagd_sign_q(a.q) > 0 && c->has_roots)
             return root_of_number(c, t, a.q);
+        c->met_root = 1;
         return cagd_fail(c, t, FAULT_UNABLE,
                          n % 2 == 0 && a.rational && cagd_sign_q(a.q) < 0
                              ? "the root of a negative number"
@@ -1159,6 +1162,8 @@ static cagd_value evaluate(cagd_context *c, const cagd_tree *t, const frame *f)
         return cagd_value_int(0);
     if (--c->steps < 0)
         return cagd_fail(c, t, FAULT_UNABLE, "more steps than are given to one case");
+    if (c->until > 0 && c->steps % STEPS_BETWEEN_LOOKS == 0 && cagd_seconds() > c->until)
+        return cagd_fail(c, t, FAULT_UNABLE, "the time was over");
     cagd_value r;
     switch (t->kind) {
     case CAGD_NUMBER:

@@ -109,7 +109,9 @@ typedef struct cagd_context {
     int in_field;    /* names without a value become variables of the field; otherwise they are UNABLE           */
     int has_roots;   /* the square root of a number that is no square is a variable, too (tie.h)     */
     long steps;      /* what may still be done; UNABLE when it is used up                                        */
+    double until;    /* and until when on cagd_seconds, or 0: without end                                        */
     int depth, fresh;
+    int met_root;        /* a root was asked for that is no rational function                                      */
     int angles;          /* how often an angle was asked for (angle.h)                                              */
     int whole_angles;    /* no halves of angles come up                                                             */
     int knows_angles;    /* whether definitions have angles: not known yet, no, yes                                 */

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_ORDER = 2, FURTHEST = 1000 };
+enum { MOST_ORDER = 2, FURTHEST = 1000, MOST_BY = 4, MOST_LEFT_OUT = 20 };
 
 static num_f shifted(num_f a, num_f x, long by) { return substitute_f(a, x, add_f(x, from_int_f(by))); }
 
@@ -90,21 +90,49 @@ static const char *spelled(const cagd_search *s, num_f a, const char *n, const c
     return out != NULL ? out : "";
 }
 
-/* What is found: n - by_n and k - begin of the statement are the n and k of the question. */
+/* What is found: n - by_n and k - (begin_by n + begin) of the statement are the n and k of the question. */
 struct proof {
     const cagd_tree *sum, *whole, *other;
     cagd_sum question;
     cagd_telescoper T;
     long begin, by_n, from;
+    int begin_by;
 };
 
-static int find_proof(cagd_search *s, const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n,
+/* The terms with k counted from k_0 = d n + c: F(n, k + k_0). */
+static cagd_term counted_from(const cagd_search *s, cagd_term F, int d, long c)
+{
+    num_f n = s->n, k = s->k, first = add_f(mul_f(from_int_f(d), n), from_int_f(c)), here = add_f(k, first);
+    num_f at_next = shifted(F.by_k, n, 1), by_n = substitute_f(F.by_n, k, here);
+    for (int i = 0; i < d; i++)
+        by_n = mul_f(by_n, substitute_f(at_next, k, add_f(here, from_int_f(i))));
+    for (int i = 1; i <= -d; i++)
+        by_n = div_f(by_n, substitute_f(at_next, k, sub_f(here, from_int_f(i))));
+    return (cagd_term){by_n, substitute_f(F.by_k, k, here)};
+}
+
+/* Whether the term is 0 at k = at(n) for every n: a rational factor is, or a binomial coefficient beyond its row. */
+static int vanishes_at(cagd_search *s, const cagd_tree *term, const cagd_frame *f, const char *k, num_f rational,
+                       num_f at)
+{
+    cagd_frame inner = {k, cagd_value_f(at), f};
+    num_f value;
+    int is = cagd_is_zero_f(substitute_f(rational, s->k, at)) && region_faults == 0;
+    if (!is && region_faults == 0)
+        is = cagd_closed(s, term, &inner, &value) && cagd_is_zero_f(value);
+    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    return is;
+}
+
+static long floor_of(long a, long b) { return a / b - (a % b != 0 && (a < 0) != (b < 0)); }
+
+static int find_proof(cagd_search *s, const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *name,
                       long low, int checked, struct proof *out)
 {
     if (statement->kind != CAGD_RELATION || statement->count != 2 || statement->relation[0] != CAGD_EQUAL ||
         low <= -FURTHEST)
         return 0;
-    cagd_search_begin(s, scope, n->head, low < FURTHEST ? (int)low : FURTHEST);
+    cagd_search_begin(s, scope, name->head, low < FURTHEST ? (int)low : FURTHEST);
     cagd_product F = {cagd_term_one(), from_int_f(1)}, S = F;
     cagd_frame room[CAGD_MOST_CHILDREN];
     const cagd_frame *f = NULL;
@@ -115,38 +143,42 @@ static int find_proof(cagd_search *s, const cagd_scope *scope, const cagd_tree *
         sum = find_sum(s, whole, NULL, room, &f, &F);
     }
     num_f first, last;
-    num_q first_k, last_k;
+    int first_by, by, begin_at, end_at;
     if (sum == NULL || !cagd_value_in(s, sum->at[0], f, &first) || !cagd_value_in(s, sum->at[1], f, &last) ||
-        !is_constant_f(first, &first_k) || !is_constant_f(sub_f(last, s->n), &last_k) || !cagd_is_whole_q(first_k) ||
-        !cagd_is_whole_q(last_k))
+        !cagd_linear_with_n(s, first, &first_by, &begin_at) || !cagd_linear_with_n(s, last, &by, &end_at) ||
+        by - first_by < 1 || by - first_by > MOST_BY)
         return 0;
     cagd_frame inner = {sum->head, {.f = s->k}, f};
-    if (mpz_cmpabs_ui(mpq_numref(first_k.at), FURTHEST) > 0 || mpz_cmpabs_ui(mpq_numref(last_k.at), FURTHEST) > 0)
-        return 0;
-    /* k runs from `begin` to n + end; where the term vanishes at an end, that end is left out. */
-    long begin = mpz_get_si(mpq_numref(first_k.at)), end = mpz_get_si(mpq_numref(last_k.at));
-    if (!cagd_take_within(s, sum->at[2], &inner, begin, end, &F) || !cagd_take(s, other, NULL, 1, &S) ||
-        !cagd_divisors_are_not_zero(s, begin, end))
+    /* k runs from first_by n + begin to by n + end; where the term vanishes at an end, that end is left out. */
+    long begin = begin_at, end = end_at;
+    cagd_range range = {first_by, by, begin, end};
+    if (!cagd_take_within(s, sum->at[2], &inner, range, &F) || !cagd_take(s, other, NULL, 1, &S) ||
+        !cagd_divisors_are_not_zero(s, range))
         return 0;
     s->c.divisor = NULL;
-    while (begin < FURTHEST && cagd_is_zero_f(substitute_f(F.rational, s->k, from_int_f(begin))) && region_faults == 0)
-        begin++;
-    while (end > -FURTHEST && cagd_is_zero_f(substitute_f(F.rational, s->k, add_f(s->n, from_int_f(end)))) &&
-           region_faults == 0)
-        end--;
-    /* The n of the sum is n + end - begin, its k is k - begin. */
-    long by_n = begin - end;
-    cagd_sum question = {{shifted(shifted(F.ratio.by_n, s->k, begin), s->n, by_n),
-                          shifted(shifted(F.ratio.by_k, s->k, begin), s->n, by_n)},
-                         from_int_f(0),
-                         shifted(S.ratio.by_n, s->n, by_n),
-                         from_int_f(0),
-                         0,
-                         1};
+    num_f n = s->n;
+    for (; begin < begin_at + MOST_LEFT_OUT; begin++)
+        if (!vanishes_at(s, sum->at[2], f, sum->head, F.rational,
+                         add_f(mul_f(from_int_f(first_by), n), from_int_f(begin))))
+            break;
+    for (; end > end_at - MOST_LEFT_OUT; end--)
+        if (!vanishes_at(s, sum->at[2], f, sum->head, F.rational, add_f(mul_f(from_int_f(by), n), from_int_f(end))))
+            break;
+    /* By p n + length, and p (n - by_n) + beyond: the n of the sum is n - by_n, its k is counted from the first one. */
+    int p = by - first_by;
+    long by_n = -floor_of(end - begin, p), beyond = end - begin + p * by_n;
+    cagd_term counted = counted_from(s, F.ratio, first_by, begin);
+    cagd_sum question = {.F = {shifted(counted.by_n, n, by_n), shifted(counted.by_k, n, by_n)},
+                         .first = from_int_f(0),
+                         .ratio = shifted(S.ratio.by_n, n, by_n),
+                         .start = from_int_f(0),
+                         .generic = 1,
+                         .by = p,
+                         .beyond = (int)beyond};
     region_faults &= FAULT_MEMORY | FAULT_CROWDED;
     for (long from = low > by_n ? low : by_n; from < low + checked; from++) {
         question.from = (int)(from - by_n);
-        if (!at_number(s, whole, other, n->head, from, begin, &question.first, &question.start))
+        if (!at_number(s, whole, other, name->head, from, first_by * from + begin, &question.first, &question.start))
             continue;
         enum cagd_sum_answer answer = cagd_sum_for_every_n(&question, s->n, s->k, MOST_ORDER, &out->T);
         unsigned faults = region_faults;
@@ -154,7 +186,7 @@ static int find_proof(cagd_search *s, const cagd_scope *scope, const cagd_tree *
         if (answer != CAGD_SUM_PROVED || faults != 0)
             continue;
         out->sum = sum, out->whole = whole, out->other = other, out->question = question;
-        out->begin = begin, out->by_n = by_n, out->from = from;
+        out->begin = begin, out->begin_by = first_by, out->by_n = by_n, out->from = from;
         return 1;
     }
     return 0;
@@ -237,7 +269,9 @@ int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, co
     *out = (cagd_every){.order = p.T.order, .from = p.from, .n = n->head, .k = p.sum->head};
     for (int j = 0; j <= p.T.order; j++) /* the n and k of the statement again */
         out->a[j] = spelled(s, shifted(p.T.a[j], s->n, -p.by_n), n->head, p.sum->head);
-    out->R = spelled(s, shifted(shifted(p.T.R, s->k, -p.begin), s->n, -p.by_n), n->head, p.sum->head);
+    out->R =
+        spelled(s, shifted(shifted(p.T.R, s->k, p.begin_by == 0 ? -p.begin : 0), s->n, -p.by_n), n->head, p.sum->head);
+    out->counted = p.begin_by != 0;
     return region_faults == 0;
 }
 
@@ -332,6 +366,10 @@ int cagd_note_for_every(const cagd_scope *scope, const cagd_tree *statement, con
     cagd_trace_put_list("a", p.T.order + 1, a);
     cagd_trace_put("first", first);
     cagd_trace_put("from", p.question.from);
+    if (p.question.by > 1) {
+        cagd_trace_put("by", p.question.by);
+        cagd_trace_put("beyond", p.question.beyond);
+    }
     cagd_trace_put_list("left", p.T.order + 2, left);
     cagd_trace_put_list("right", p.T.order + 2, right);
     cagd_trace_put_list("rest", NEVER_ZERO, of_rest);

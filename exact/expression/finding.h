@@ -35,6 +35,7 @@ typedef struct cagd_finding {
     /* Of the first case that is not decided: why, and at which part of which formula; empty or NULL where nothing is known. */
     const char *why;
     const cagd_tree *where;
+    const cagd_tree *supposed; /* NULL, or ranges behind the formula, which count as supposed */
 
     /* The names that stand for all numbers, or all within their bounds; the bounds are used by `bounded` statements alone. */
     int names, bounded;

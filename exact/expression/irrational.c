@@ -144,8 +144,7 @@ static int is_false_within_bounds(const cagd_context *c, const struct sides *s, 
     return e->order != 0 && region_faults == 0 && !cagd_relation_holds(e->order, s->relation);
 }
 
-/* Another choice of simple numbers in every round. */
-static void choose(const cagd_context *c, int round, num_q value[])
+void cagd_choose_numbers(const cagd_context *c, int round, num_q value[])
 {
     static const int simple[][2] = {{0, 1}, {1, 1}, {2, 1}, {-1, 1}, {1, 2}, {3, 1}, {-2, 1}, {1, 3}};
     enum { SIMPLE = sizeof simple / sizeof *simple };
@@ -183,7 +182,7 @@ int cagd_find_irrational_example(const cagd_context *c, const cagd_tree *t, int 
     }
     int found = 0;
     for (int round = 0; round < ROUNDS && !found; round++) {
-        choose(c, round, out->value);
+        cagd_choose_numbers(c, round, out->value);
         found = roots > 1 && is_false_within_bounds(c, s, out);
         for (int x = 0; x < c->count && !found && roots < 2; x++) {
             out->of = x;

@@ -14,6 +14,8 @@ typedef struct cagd_irrational_example {
 /* Whether the relation k of the chain t is found false for a root of what separates its sides, or for the root near which a name is
  * (tie.h), all others having simple numbers.  Nothing is found where names are tied in other ways. */
 int cagd_find_irrational_example(const cagd_context *c, const cagd_tree *t, int k, cagd_irrational_example *out);
+/* Simple numbers within their bounds for all names that have none, another choice in every round. */
+void cagd_choose_numbers(const cagd_context *c, int round, cagd_num_q value[]);
 /* The same root between simple numbers; in the region. */
 const struct cagd_root *cagd_told_root(struct cagd_root r);
 #endif

@@ -7,6 +7,7 @@
 #include "exact/expression/clauses.h"
 #include "exact/expression/compare.h"
 #include "exact/expression/find.h"
+#include "exact/expression/irrational.h"
 #include "exact/expression/refute.h"
 #include "exact/expression/suppose.h"
 #include "exact/record/trace.h"
@@ -14,12 +15,12 @@
 
 #include <string.h>
 
-enum { MOST_DIVISORS = 24 };
+enum { MOST_DIVISORS = 24, TRIED_NUMBERS = 12, MOST_TRIED = 3 };
 
 static void begin(const cagd_run *r, const cagd_part *p, cagd_context *c)
 {
     *c = (cagd_context){.scope = r->scope, .premise = r->premise, .in_field = 1, .steps = CAGD_USUAL_STEPS};
-    c->untied = r->untied, c->has_roots = 1;
+    c->untied = r->untied, c->has_roots = 1, c->until = r->until;
     c->whole_angles = r->out->whole_angles = !cagd_has_half_angles(r->scope, r->statement);
     for (int k = 0; k < r->wholes; k++)
         cagd_bind(c, r->chosen[k].name, cagd_value_constant(r->chosen[k].value));
@@ -252,6 +253,39 @@ static cagd_answer decide_apart(cagd_run *r, const cagd_part *p, const cagd_cont
     return answer;
 }
 
+/* ---- numbers ----------------------------------------------------------------------------------------------- */
+
+/* Whether it is false for some of a few choices of numbers for all names: roots, which were no functions, are numbers there, too. */
+static int is_false_for_numbers(cagd_run *r, const cagd_part *p, const cagd_context *c)
+{
+    int is = 0, unknown = 0;
+    for (int m = 0; m < c->count; m++)
+        unknown += c->binding[m].unknown && !c->binding[m].has_root;
+    if (!(c->met_root || c->ties > 0) || r->into != NULL || r->take != NULL || unknown == 0 || p->tried == MOST_TRIED ||
+        p->numbers + unknown > CAGD_MOST_PIECES)
+        return 0;
+    cagd_finding *before = region_bytes(sizeof *before);
+    if (before != NULL)
+        *before = *r->out;
+    for (int round = 0; before != NULL && round < TRIED_NUMBERS && !is && cagd_seconds() < r->until; round++) {
+        cagd_part *q = region_bytes(sizeof *q);
+        num_q value[CAGD_MOST_UNKNOWNS];
+        if (q == NULL)
+            return 0;
+        *q = *p;
+        q->tried++;
+        cagd_choose_numbers(c, round, value);
+        for (int m = 0; m < c->count; m++)
+            if (c->binding[m].unknown && !c->binding[m].has_root)
+                put_number(q, c->binding[m].key, c->binding[m].variable, value[m]);
+        is = cagd_decide_part(r, q) == CAGD_FAILS;
+        region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+        if (!is)
+            *r->out = *before;
+    }
+    return is;
+}
+
 /* ---- one part -------------------------------------------------------------------------------------------- */
 
 /* Whether some divisor may be 0: it is not seen that it cannot. */
@@ -322,10 +356,15 @@ cagd_answer cagd_decide_part(cagd_run *r, const cagd_part *p)
         if (region_faults != 0) {
             r->undefined |= (region_faults & FAULT_UNDEFINED) != 0;
             region_faults = 0;
-            return is_empty(c) ? decide_apart(r, p, c) : cagd_note_undecided(r, c, "a value that is not computed");
+            if (is_empty(c))
+                return decide_apart(r, p, c);
+            cagd_answer other = cagd_note_undecided(r, c, "a value that is not computed");
+            return is_false_for_numbers(r, p, c) ? CAGD_FAILS : other;
         }
         answer = cagd_worse(answer, one);
     }
+    if (answer == CAGD_UNDECIDED && is_false_for_numbers(r, p, c))
+        return CAGD_FAILS;
     r->out->bounded |= c->used_bounds;
     r->out->leaves_out_poles |= c->omits_poles;
     r->out->one_sided |= c->one_sided;

@@ -51,6 +51,7 @@ typedef struct cagd_part {
     cagd_cut cut[CAGD_MOST_CUTS_OF_CELL];
     int cuts;
     int apart;   /* so many of the numbers are those of a place that a tie leaves out (tie.h) */
+    int tried;   /* how often numbers were chosen for names, only to refute */
     int touches; /* an equality is among them: it is a part of lower dimension */
 } cagd_part;
 

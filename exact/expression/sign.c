@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_FACTORS = 200, MOST_HALVINGS = 9, MOST_SIDES = 12, SECONDS_FOR_A_NUMBER = 2 };
+enum { MOST_FACTORS = 200, MOST_HALVINGS = 9, MOST_SIDES = 12, SECONDS_FOR_A_NUMBER = 2, SECONDS_FOR_HALVES = 3 };
 
 /* ---- numbers between numbers --------------------------------------------------------------------------- */
 
@@ -588,17 +588,23 @@ static int sign_at(num_f p, int count, const cagd_side_of_box side[], const num_
     return region_faults == 0 && is_constant_f(p, &value) ? cagd_sign_q(value) : 1;
 }
 
+/* The numerator, (1 + u)^d p for the degree d of a side with both ends, is built without fractions. */
 num_f cagd_over_positive_numbers(num_f p, int count, const cagd_side_of_box side[])
 {
     for (int k = 0; k < count; k++) {
-        num_f u = side[k].variable;
+        num_f u = side[k].variable, one_more = add_f(from_int_f(1), u);
         num_f a = from_rational_f(side[k].has_low ? side[k].low : from_int_q(0));
-        num_f b = from_rational_f(side[k].has_high ? side[k].high : from_int_q(0)), x;
-        if (side[k].has_low && side[k].has_high)
-            x = div_f(add_f(a, mul_f(b, u)), add_f(from_int_f(1), u));
-        else
-            x = side[k].has_low ? add_f(a, u) : sub_f(b, u);
-        p = substitute_f(p, u, x);
+        num_f b = from_rational_f(side[k].has_high ? side[k].high : from_int_q(0));
+        if (!side[k].has_low || !side[k].has_high) {
+            p = substitute_f(p, u, side[k].has_low ? add_f(a, u) : sub_f(b, u));
+            continue;
+        }
+        num_f top = add_f(a, mul_f(b, u)), below = from_int_f(1), sum = from_int_f(0);
+        for (int e = degree_f(p, u); e >= 0 && region_faults == 0; e--) {
+            sum = add_f(mul_f(sum, top), mul_f(coefficient_f(p, u, e), below));
+            below = mul_f(below, one_more);
+        }
+        p = sum;
     }
     return p;
 }
@@ -625,8 +631,17 @@ int cagd_is_positive_by_coefficients(num_f p, int strict, int count, const cagd_
     return region_faults == 0;
 }
 
+/* The same, of which nothing is kept. */
+static int is_shown_by_coefficients(num_f p, int strict, int count, const cagd_side_of_box side[])
+{
+    region_mark mark = region_open();
+    int is = cagd_is_positive_by_coefficients(p, strict, count, side);
+    region_drop(mark);
+    return is;
+}
+
 static cagd_answer positive_by_halves(num_f p, int strict, int count, const cagd_side_of_box side[], int depth,
-                                      num_q point[])
+                                      double until, num_q point[])
 {
     /* The corners, and a point inside. */
     for (int corner = 0; corner <= 1 << count; corner++) {
@@ -641,9 +656,9 @@ static cagd_answer positive_by_halves(num_f p, int strict, int count, const cagd
         if (sign < 0 || (sign == 0 && strict))
             return CAGD_FAILS;
     }
-    if ((cagd_is_zero_f(p) && !strict) || cagd_is_positive_by_coefficients(p, strict, count, side))
+    if ((cagd_is_zero_f(p) && !strict) || is_shown_by_coefficients(p, strict, count, side))
         return CAGD_HOLDS;
-    if (depth == 0 || region_faults != 0)
+    if (depth == 0 || region_faults != 0 || cagd_seconds() > until)
         return CAGD_UNDECIDED;
     /* The longest side in halves; a side without an end at a distance of 1 from the other. */
     int longest = 0;
@@ -669,7 +684,7 @@ static cagd_answer positive_by_halves(num_f p, int strict, int count, const cagd
             s->has_low = 1, s->low = cut, s->low_open = 0;
         else
             s->has_high = 1, s->high = cut, s->high_open = 0;
-        cagd_answer one_half = positive_by_halves(p, strict, count, part, depth - 1, point);
+        cagd_answer one_half = positive_by_halves(p, strict, count, part, depth - 1, until, point);
         if (one_half == CAGD_FAILS)
             return CAGD_FAILS;
         answer = one_half == CAGD_UNDECIDED ? CAGD_UNDECIDED : answer;
@@ -749,7 +764,9 @@ cagd_answer cagd_positive_in_box(num_f p, int strict, int count, const cagd_side
         answer = positive_in_rectangle(p, strict, &used[swap], &used[!swap], &at[swap], &at[!swap], rational);
     } else {
         int is = !strict && is_nonnegative_by_squares(p, n, used);
-        answer = is && region_faults == 0 ? CAGD_HOLDS : positive_by_halves(p, strict, n, used, MOST_HALVINGS, at);
+        answer = is && region_faults == 0
+                     ? CAGD_HOLDS
+                     : positive_by_halves(p, strict, n, used, MOST_HALVINGS, cagd_seconds() + SECONDS_FOR_HALVES, at);
     }
     for (int k = 0; k < n; k++)
         point[which[k]] = at[k];

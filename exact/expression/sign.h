@@ -25,7 +25,7 @@ typedef struct cagd_side_of_box {
 cagd_answer cagd_positive_in_box(cagd_num_f p, int strict, int count, const cagd_side_of_box side[], cagd_num_q point[],
                                  int *rational);
 
-/* p with x = a + u, b - u, (a + b u)/(1 + u) for each side, u > 0 being called x again; its numerator has the signs of p in the open box. */
+/* p with x = a + u, b - u, (a + b u)/(1 + u) for each side, times a power of 1 + u, u > 0 being called x again: it has the signs of p in the open box. */
 cagd_num_f cagd_over_positive_numbers(cagd_num_f p, int count, const cagd_side_of_box side[]);
 
 /* Whether p >= 0 by its coefficients over positive numbers, and, if strict, p is not 0 on a face that belongs to the box: the smallest

@@ -3,7 +3,7 @@
 #include "exact/expression/cell.h"
 #include "exact/words.h"
 
-enum { MOST_DEPTH = 60, MOST_POWER = 60 };
+enum { MOST_DEPTH = 60, MOST_POWER = 60, FURTHEST = 3000 };
 
 static num_f plus(num_f a, long m) { return add_f(a, from_int_f(m)); }
 
@@ -24,10 +24,14 @@ void cagd_search_begin(cagd_search *s, const cagd_scope *scope, const char *n, i
     cagd_limit_cell(&s->c, plus(s->n, -from), 0);
 }
 
-int cagd_take_within(cagd_search *s, const cagd_tree *t, const cagd_frame *f, long low, long last, cagd_product *out)
+cagd_range cagd_range_to_n(long low, long last) { return (cagd_range){0, 1, low, last}; }
+
+static num_f multiple_of_n(const cagd_search *s, int by, long more) { return plus(mul_f(from_int_f(by), s->n), more); }
+
+int cagd_take_within(cagd_search *s, const cagd_tree *t, const cagd_frame *f, cagd_range range, cagd_product *out)
 {
-    cagd_limit_cell(&s->c, sub_f(plus(s->n, last), s->k), 0);
-    cagd_limit_cell(&s->c, plus(s->k, -low), 0);
+    cagd_limit_cell(&s->c, sub_f(multiple_of_n(s, range.by, range.last), s->k), 0);
+    cagd_limit_cell(&s->c, sub_f(s->k, multiple_of_n(s, range.low_by, range.low)), 0);
     int good = cagd_take(s, t, f, 1, out);
     cagd_binding *k = cagd_binding_of(&s->c, "");
     k->has_low = s->c.limits = s->c.memos = s->c.is_empty = 0;
@@ -42,23 +46,26 @@ num_f cagd_power_f(num_f a, int e)
     return e < 0 ? div_f(from_int_f(1), r) : r;
 }
 
-int cagd_divides_in_range(const cagd_search *s, num_f a, long low, long last)
+/* With k counted from its first value, and N the last one: 0 <= k <= N, n = (N - length)/by. */
+int cagd_divides_in_range(const cagd_search *s, num_f a, cagd_range range)
 {
-    long length = last - low; /* k - low from 0 to n + length */
-    if (s->from + length < 0)
-        return 1;
+    int by = range.by - range.low_by;
+    long length = range.last - range.low, from = by * (long)s->from + length;
     num_f p = cagd_denominator_f(a);
-    p = substitute_f(p, s->k, plus(s->k, low));
-    p = substitute_f(p, s->n, plus(s->n, -length));
-    return cagd_is_never_zero(p, s->n, s->k, (int)(s->from + length));
+    if (by < 1 || (from > FURTHEST && degree_f(p, s->k) > 0))
+        return 0;
+    if (degree_f(p, s->k) == 0)
+        return cagd_is_never_zero(p, s->n, s->k, s->from);
+    p = substitute_f(p, s->k, add_f(s->k, multiple_of_n(s, range.low_by, range.low)));
+    p = substitute_f(p, s->n, div_f(plus(s->n, -length), from_int_f(by)));
+    return cagd_is_never_zero(cagd_numerator_f(p), s->n, s->k, (int)(from > 0 ? from : 0));
 }
 
-int cagd_divisors_are_not_zero(cagd_search *s, long low, long last)
+int cagd_divisors_are_not_zero(cagd_search *s, cagd_range range)
 {
     int good = 1;
     for (int i = 0; i < s->c.divisors && good; i++)
-        good =
-            !cagd_is_zero_f(s->divisor[i]) && cagd_divides_in_range(s, div_f(from_int_f(1), s->divisor[i]), low, last);
+        good = !cagd_is_zero_f(s->divisor[i]) && cagd_divides_in_range(s, div_f(from_int_f(1), s->divisor[i]), range);
     s->c.divisors = 0;
     return good;
 }

@@ -53,15 +53,22 @@ cagd_num_f cagd_power_f(cagd_num_f a, int e);
 int cagd_value_in(cagd_search *s, const cagd_tree *t, const cagd_frame *f, cagd_num_f *out);
 /* v as p n + q k + c with small whole p and q, and c free of n and k; 0 where it is not. */
 int cagd_linear_in(cagd_search *s, cagd_num_f v, int *p, int *q, cagd_num_f *c);
-/* Whether the denominator of a is 0 for no whole k from low to n + last, n >= s->from. */
-int cagd_divides_in_range(const cagd_search *s, cagd_num_f a, long low, long last);
+/* k from low_by n + low to by n + last, by > low_by. */
+typedef struct cagd_range {
+    int low_by, by;
+    long low, last;
+} cagd_range;
+/* The same from `low` to n + `last`. */
+cagd_range cagd_range_to_n(long low, long last);
+/* Whether the denominator of a is 0 for no whole k of the range, n >= s->from, where there is one: of n alone, for no such n. */
+int cagd_divides_in_range(const cagd_search *s, cagd_num_f a, cagd_range range);
 /* Whether none of the divisors is 0 there; they are forgotten.  So that (n-9)/(n-9) is not taken for 1. */
-int cagd_divisors_are_not_zero(cagd_search *s, long low, long last);
+int cagd_divisors_are_not_zero(cagd_search *s, cagd_range range);
 /* What the name t stands for, in the frame *inner whose nodes are room[]: NULL where it has no definition that fits, or is derived. */
 const cagd_tree *cagd_called_body(cagd_search *s, const cagd_tree *t, const cagd_frame *f, cagd_frame room[],
                                   const cagd_frame **inner);
 /* The product times t^e; 0 where t is no product of that kind. */
 int cagd_take(cagd_search *s, const cagd_tree *t, const cagd_frame *f, int e, cagd_product *out);
-/* The same with e = 1, of the term of a sum: k is a whole number from low to n + last. */
-int cagd_take_within(cagd_search *s, const cagd_tree *t, const cagd_frame *f, long low, long last, cagd_product *out);
+/* The same with e = 1, of the term of a sum: k is a whole number of the range. */
+int cagd_take_within(cagd_search *s, const cagd_tree *t, const cagd_frame *f, cagd_range range, cagd_product *out);
 #endif

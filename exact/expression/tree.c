@@ -25,7 +25,7 @@ cagd_tree *cagd_tree_number(long value, int from, int to)
 
 int cagd_tree_has(const cagd_tree *t, const char *head)
 {
-    if (t->head != NULL && strcmp(t->head, head) == 0)
+    if ((t->head != NULL && strcmp(t->head, head) == 0) || (t->times != NULL && cagd_tree_has(t->times, head)))
         return 1;
     for (int k = 0; k < t->count; k++)
         if (cagd_tree_has(t->at[k], head))
@@ -38,7 +38,8 @@ int cagd_tree_equal(const cagd_tree *a, const cagd_tree *b)
     if (a->kind != b->kind || a->count != b->count || a->order != b->order || a->lower != b->lower ||
         a->upper != b->upper || (a->head == NULL) != (b->head == NULL) ||
         (a->head != NULL && strcmp(a->head, b->head) != 0) ||
-        (a->kind == CAGD_NUMBER && !cagd_equal_q(a->number, b->number)))
+        (a->kind == CAGD_NUMBER && !cagd_equal_q(a->number, b->number)) || (a->times == NULL) != (b->times == NULL) ||
+        (a->times != NULL && !cagd_tree_equal(a->times, b->times)))
         return 0;
     for (int k = 0; a->kind == CAGD_RELATION && k + 1 < a->count; k++)
         if (a->relation[k] != b->relation[k])

@@ -31,7 +31,7 @@ static cagd_term bernstein(void)
 /* The sum is S for every n, of a telescoper of that order. */
 static void proved(cagd_term F, num_f first, num_f start, num_f ratio, int order)
 {
-    cagd_sum s = {F, first, ratio, start, 0, 0};
+    cagd_sum s = {F, first, ratio, start, 0, 0, 1, 0};
     cagd_telescoper T;
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
     assert_int_equal(T.order, order);
@@ -62,7 +62,7 @@ static void test_known_sums(void **state)
     /* Vandermonde: sum (n choose k) (m choose k) = (n+m choose n), of ratio (n+m+1)/(n+1) */
     num_f m = variable_f("m");
     F = cagd_term_times_binomial(binomials(1), n, k, 0, 0, m, 0, 1, whole(0));
-    cagd_sum s = {F, one, div_f(add_f(n1, m), n1), one, 0, 0};
+    cagd_sum s = {F, one, div_f(add_f(n1, m), n1), one, 0, 0, 1, 0};
     cagd_telescoper T;
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
     field_close();
@@ -84,7 +84,7 @@ static void test_a_recurrence_of_order_two(void **state)
     assert_true(cagd_equal_f(T.a[1], neg_f(mul_f(scale, middle))));
     assert_true(cagd_equal_f(T.a[0], neg_f(mul_f(scale, mul_f(whole(8), mul_f(n1, n1))))));
     /* No closed form with a rational ratio is accepted. */
-    cagd_sum s = {binomials(3), whole(1), div_f(whole(2), whole(1)), whole(1), 0, 0};
+    cagd_sum s = {binomials(3), whole(1), div_f(whole(2), whole(1)), whole(1), 0, 0, 1, 0};
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
     field_close();
 }
@@ -166,7 +166,7 @@ static void test_late_differences(void **state)
     num_f late = whole(1); /* n (n-1) ... (n-6) vanishes for the first rows */
     for (int i = 0; i < 7; i++)
         late = mul_f(late, sub_f(n, whole(i)));
-    cagd_sum s = {binomials(1), whole(1), add_f(whole(2), late), whole(1), 0, 0};
+    cagd_sum s = {binomials(1), whole(1), add_f(whole(2), late), whole(1), 0, 0, 1, 0};
     cagd_telescoper T;
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_UNDECIDED);
     field_close();
@@ -251,7 +251,7 @@ static void test_poles_in_a_term(void **state)
         cagd_term F = cagd_term_times_power(binomials(1), whole(-1), 0, 1);
         F = cagd_term_times_rational(F, n, k, div_f(whole(1), add_f(k, x)));
         num_f start = div_f(whole(1), x), ratio = div_f(add_f(n, whole(1)), add_f(add_f(n, whole(1)), x));
-        cagd_sum s = {F, start, ratio, start, 0, 0};
+        cagd_sum s = {F, start, ratio, start, 0, 0, 1, 0};
         cagd_telescoper T;
         /* `first` is F(0,0), and later rows begin with F(m,0) = F(0,0) */
         assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), less ? CAGD_SUM_UNDECIDED : CAGD_SUM_PROVED);
@@ -268,7 +268,7 @@ static void test_sums_from_a_number_on(void **state)
     open_field();
     num_f one = whole(1), half = div_f(one, whole(2));
     cagd_term F = cagd_term_times_rational(binomials(1), n, k, div_f(one, n));
-    cagd_sum s = {F, one, div_f(mul_f(whole(2), n), add_f(n, one)), whole(2), 1, 0};
+    cagd_sum s = {F, one, div_f(mul_f(whole(2), n), add_f(n, one)), whole(2), 1, 0, 1, 0};
     cagd_telescoper T;
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED); /* 2^n/n */
     s.from = 0;
@@ -279,7 +279,7 @@ static void test_sums_from_a_number_on(void **state)
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
     /* a factor n - 2 in a denominator is no harm from 3 on, and is one from 1 on */
     F = cagd_term_times_rational(binomials(1), n, k, div_f(one, sub_f(n, whole(2))));
-    s = (cagd_sum){F, one, div_f(mul_f(whole(2), sub_f(n, whole(2))), sub_f(n, one)), whole(8), 3, 0};
+    s = (cagd_sum){F, one, div_f(mul_f(whole(2), sub_f(n, whole(2))), sub_f(n, one)), whole(8), 3, 0, 1, 0};
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
     s.from = 1;
     assert_int_not_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
@@ -332,6 +332,8 @@ static void test_denominators_that_are_not_told(void **state)
                       div_f(mul_f(whole(2), q), substitute_f(q, n, n1)),
                       first,
                       0,
+                      0,
+                      1,
                       0};
         cagd_telescoper T;
         assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_UNDECIDED);
@@ -345,7 +347,7 @@ static void test_the_last_of_the_first_rows(void **state)
     (void)state;
     open_field();
     cagd_telescoper T;
-    cagd_sum s = {binomials(1), whole(1), whole(3), whole(1), 0, 0};
+    cagd_sum s = {binomials(1), whole(1), whole(3), whole(1), 0, 0, 1, 0};
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 0, &T), CAGD_SUM_REFUTED);
     s.ratio = whole(2);
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 0, &T), CAGD_SUM_UNDECIDED);
@@ -378,7 +380,7 @@ static void test_a_term_that_ends_before_its_row(void **state)
     cagd_term F = {div_f(mul_f(mul_f(n1, n1), plus(n, -29)), mul_f(plus(left, 1), plus(left, 31))),
                    div_f(mul_f(left, plus(left, 30)), mul_f(plus(k, 1), plus(k, -29)))};
     num_f ratio = div_f(mul_f(plus(mul_f(whole(2), n), 2), plus(mul_f(whole(2), n), 1)), plus(n, 31));
-    cagd_sum s = {F, whole(1), ratio, whole(1), 0, 0};
+    cagd_sum s = {F, whole(1), ratio, whole(1), 0, 0, 1, 0};
     cagd_telescoper T;
     assert_true(cagd_telescope(F, n, k, 3, &T));
     assert_true(cagd_telescoper_holds(F, n, k, &T));
@@ -419,7 +421,7 @@ static void test_a_step_in_n_that_is_not_defined(void **state)
     cagd_term F = cagd_term_times_binomial(binomials(1), n, k, 2, 0, whole(0), 1, -1, whole(-2));
     num_f up = mul_f(mul_f(plus(three_n, 1), plus(three_n, 2)), plus(three_n, 3)),
           down = mul_f(mul_f(plus(n, -1), plus(two_n, 3)), plus(two_n, 4));
-    cagd_sum s = {F, whole(1), div_f(up, down), whole(1), 2, 0};
+    cagd_sum s = {F, whole(1), div_f(up, down), whole(1), 2, 0, 1, 0};
     cagd_telescoper T;
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_UNDECIDED);
     assert_true(cagd_telescoper_holds(F, n, k, &T));
@@ -433,7 +435,7 @@ static void test_a_term_that_begins_before_its_row(void **state)
     (void)state;
     open_field();
     cagd_term F = {div_f(plus(n, 2), plus(sub_f(n, k), 1)), div_f(sub_f(n, k), plus(k, 2))};
-    cagd_sum s = {F, whole(1), sub_f(whole(3), div_f(mul_f(whole(2), n), whole(3))), whole(1), 0, 0};
+    cagd_sum s = {F, whole(1), sub_f(whole(3), div_f(mul_f(whole(2), n), whole(3))), whole(1), 0, 0, 1, 0};
     cagd_telescoper T;
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 1, &T), CAGD_SUM_UNDECIDED);
     assert_true(cagd_telescoper_holds(F, n, k, &T));
@@ -454,6 +456,33 @@ static void test_what_may_vanish(void **state)
     assert_false(cagd_is_never_zero(whole(0), n, k, 0));
     assert_false(cagd_is_never_zero(product, n, k, 0));
     field_close();
+}
+
+/* To 2n, and to 2n + 1; a divisor that is 0 for k = 31, or for no whole n. */
+static void test_sums_to_multiples_of_n(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_telescoper T;
+    for (int e = 0; e < 2; e++) {
+        cagd_term F = cagd_term_times_binomial(cagd_term_one(), n, k, 2, 0, whole(e), 0, 1, whole(0));
+        cagd_sum s = {F, whole(1), whole(4), whole(1 + e), 0, 1, 2, e};
+        assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+        s.beyond = 1 - e;
+        assert_int_not_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+        s.by = 1, s.beyond = 0;
+        assert_int_not_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+        num_f far = sub_f(k, whole(31));
+        s = (cagd_sum){cagd_term_times_rational(F, n, k, far),
+                       whole(-31),
+                       div_f(mul_f(whole(4), sub_f(n, whole(30))), sub_f(n, whole(31))),
+                       whole(-31),
+                       0,
+                       1,
+                       2,
+                       e};
+        assert_int_not_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+    }
 }
 
 int main(void)
@@ -477,6 +506,7 @@ int main(void)
                                        unit(test_a_step_in_n_that_is_not_defined),
                                        unit(test_a_term_that_begins_before_its_row),
                                        unit(test_what_may_vanish),
-                                       unit(test_the_last_of_the_first_rows)};
+                                       unit(test_the_last_of_the_first_rows),
+                                       unit(test_sums_to_multiples_of_n)};
     return run_unit_tests(tests);
 }
