@@ -267,6 +267,7 @@ static int is_false_for_numbers(cagd_run *r, const cagd_part *p, const cagd_cont
     cagd_finding *before = region_bytes(sizeof *before);
     if (before != NULL)
         *before = *r->out;
+    const cagd_run run = *r;
     for (int round = 0; before != NULL && round < TRIED_NUMBERS && !is && cagd_seconds() < r->until; round++) {
         cagd_part *q = region_bytes(sizeof *q);
         num_q value[CAGD_MOST_UNKNOWNS];
@@ -280,8 +281,8 @@ static int is_false_for_numbers(cagd_run *r, const cagd_part *p, const cagd_cont
                 put_number(q, c->binding[m].key, c->binding[m].variable, value[m]);
         is = cagd_decide_part(r, q) == CAGD_FAILS;
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
-        if (!is)
-            *r->out = *before;
+        if (!is) /* as if it had not been tried */
+            *r = run, *r->out = *before;
     }
     return is;
 }
