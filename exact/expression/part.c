@@ -267,21 +267,25 @@ static int is_false_for_numbers(cagd_run *r, const cagd_part *p, const cagd_cont
     cagd_finding *before = region_bytes(sizeof *before);
     if (before != NULL)
         *before = *r->out;
-    for (int round = 0; before != NULL && round < TRIED_NUMBERS && !is && cagd_seconds() < r->until; round++) {
+    const cagd_run run = *r;
+    double now = cagd_seconds(), until = now + (r->until - now) / 8; /* most of the time is for other ways */
+    int rounds = p->tried == 0 ? TRIED_NUMBERS : 2;
+    for (int round = 0; before != NULL && round < rounds && !is && cagd_seconds() < until; round++) {
         cagd_part *q = region_bytes(sizeof *q);
         num_q value[CAGD_MOST_UNKNOWNS];
         if (q == NULL)
             return 0;
         *q = *p;
         q->tried++;
+        r->until = until;
         cagd_choose_numbers(c, round, value);
         for (int m = 0; m < c->count; m++)
             if (c->binding[m].unknown && !c->binding[m].has_root)
                 put_number(q, c->binding[m].key, c->binding[m].variable, value[m]);
         is = cagd_decide_part(r, q) == CAGD_FAILS;
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
-        if (!is)
-            *r->out = *before;
+        if (!is) /* as if it had not been tried */
+            *r = run, *r->out = *before;
     }
     return is;
 }
