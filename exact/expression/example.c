@@ -52,6 +52,7 @@ int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, num_q valu
         return 0;
     *exact = *c;
     exact->in_field = 0, exact->steps = CAGD_USUAL_STEPS, exact->trouble = NULL, exact->split = NULL;
+    exact->until = 0; /* numbers take their steps alone, and so few of them as are tried are looked at when the time is over, too */
     for (int m = 0; m < c->count; m++)
         if (c->binding[m].unknown) {
             cagd_side_of_box s = side_of(&c->binding[m]);
