@@ -78,6 +78,8 @@ one abscissa cannot.
 :confirmed-by: intervals_of_the_parameter_separate_the_values pieces_in_new_powers
 :meant: the interval $a\le t\le b$, which is all that is given | Conveniently is: by two numbers, the parameters of the two ends.
 :figure: infinite_slope_and_two_values
+
+With $t_0=a$ and $t_1=b$ the two numbers give every $t$ of the piece once, from its beginning to its end; over which $x$ they lie does not matter.
 :::
 
 :::{claim} intervals_of_the_parameter_separate_the_values

@@ -32,7 +32,8 @@ the second way: the determinant becomes 1, the points no longer drift, and the s
 :title: The matrix of the second way, and its determinant
 :zh: 第二种方法的矩阵及其行列式
 :given: any point, any $\varepsilon$
-:then: the row times $T$ is $x'=x-\varepsilon y$, $y'=y+\varepsilon x'$; $\det T=1$, the trace of $T$ is $2-\varepsilon^2$
+:let: $T=\begin{bmatrix}1&\varepsilon\\-\varepsilon&1-\varepsilon^2\end{bmatrix}$
+:then: the row $(x,y)$ times $T$ is $x'=x-\varepsilon y$, $y'=y+\varepsilon x'$; $\det T=1$, the trace of $T$ is $2-\varepsilon^2$
 :method: Identities in $x$, $y$ and $\varepsilon$.
 :over: x y: point; e: ε
 :control: $y'=y+\varepsilon x$

@@ -695,7 +695,7 @@ shown here are true.
 :zh: 单位区间上的混合函数
 :given: $t_0<t_1$, any data, any $u$, $t=t_0+(t_1-t_0)u$
 :harmless: $t_0<t_1$ | the identities are those of two different nodes, in any order
-:then: the printed functions of $t$ are those of $u$ in all three forms, and the sum with the derivatives times $t_1-t_0$ is the
+:then: the printed functions of $t$ are those of $u$ in all three forms, in factors, in powers and as the columns of the $4\times4$ matrix, and the sum with the derivatives times $t_1-t_0$ is the
   interpolating cubic; as a function of $u$ it has at $u=0$ and $u=1$ the values $f(t_0)$, $f(t_1)$ and the derivatives $f'(t_0)(t_1-t_0)$, $f'(t_1)(t_1-t_0)$
 :method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
 :over: t# h#: different nodes; f#: data

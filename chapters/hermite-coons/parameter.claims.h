@@ -639,7 +639,7 @@ CLAIM(maps_of_the_equations_are_one_matrix)
 :zh: 变量个数不限,便于扩展到高维
 :printed: In parametric equations the algebraic and the geometric, the dependent and the independent variables are completely separated, and
   their number is not limited, so that it is easy to take curves and surfaces from a space of few dimensions to one of more.
-:reading: matrices_pass_to_the_points | a further coordinate changes no other: with the matrix that leaves a coordinate out, the curve of the projected points
+:reading: matrices_pass_to_the_points | from space to a plane: with the matrix that leaves a coordinate out, the curve of the projected points
   is the projection
 :reading: another_coordinate_changes_no_other | a Bézier curve of space has in two of its coordinates the curve of the plane
 :reading: what is easy, and when variables are completely separated: the slides do not say, so that nothing is there to be decided
@@ -678,7 +678,7 @@ CLAIM(another_coordinate_changes_no_other)
 :zh: 易于用矢量和矩阵表示
 :printed: It is easy to represent the geometry by vectors and matrices, and the computation is simple.
 :reading: small_degrees_written_out | Bézier curves of the degrees 1, 2 and 3 as products with matrices
-:reading: unit_blending_functions | the cubic of two points and two tangents as such a product
+:reading: unit_blending_functions | the cubic of two points and two tangents as such a product, the functions being the columns of a $4\times4$ matrix
 :reading: what is easy and what simple: an opinion, which no computation decides
 :::
 

@@ -137,7 +137,7 @@ CLAIM(symmetric_functions_of_zeros_and_ones)
 :::{claim} bernstein_coefficients_and_g
 :title: Marsden's coefficients and G for the knots of Bernstein
 :zh: Bernstein 节点的 ω 与 G
-:given: orders $k=p+1$, $x$ variable
+:given: orders $k$, $x$ variable
 :then: $\omega_{i,k}(x)=x^{k-1-i}(x-1)^i$, and $g_{ji}$ is as printed, 0 below the diagonal
 :method: The kernels `marsden_coefficients` and `marsden_matrix` at these knots.
 :degrees: 0..7 sampled 8
@@ -224,7 +224,7 @@ begins with $i$ zeros.
 :::{claim} bernstein_matrix_is_the_matrix
 :title: The corrected entries are those of the coefficient matrix
 :zh: 改正后的 Bernstein 系数矩阵
-:given: orders $k=p+1$, $t$ variable
+:given: orders $k$, $t$ variable
 :then: `bernstein_matrix` has the entries $(-1)^{i+j}\binom{k-1}j\binom ji$ for $j\ge i$ and $0$ for $j<i$; its columns are $\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, and the matrix is that of
   (4.4.17) at these knots
 :method: The kernel against the Bernstein polynomials at a variable $t$, and against `bspline_matrix_by_marsden`.
@@ -326,7 +326,7 @@ CLAIM(printed_bernstein_quotient_fails)
 :::{statement} wang-ch4:bernstein-basis
 :title: The B-splines are then the Bernstein polynomials
 :zh: 退化为 Bernstein 基
-:printed: compared with (1.6.9), the B-splines degenerate to the Bernstein polynomials, $N_{i,k}(t)=B_i^{k-1}(t)$, $t\in[t_{k-1},t_k)=[0,1)$, $i=0,1,\dots,k-1$
+:printed: for $T=\{0,\dots,0,1,\dots,1\}$, compared with (1.6.9), the B-splines degenerate to the Bernstein polynomials, $N_{i,k}(t)=B_i^{k-1}(t)$, $t\in[t_{k-1},t_k)=[0,1)$, $i=0,1,\dots,k-1$
 :holds-by: bsplines_are_bernstein_polynomials
 :figure: bernstein_matrix
 :::
@@ -334,7 +334,7 @@ CLAIM(printed_bernstein_quotient_fails)
 :::{claim} bsplines_are_bernstein_polynomials
 :title: The B-splines of these knots are the Bernstein polynomials
 :zh: B 样条基退化为 Bernstein 基
-:given: orders $k=p+1$, $t$ variable
+:given: orders $k$, $k$ knots $0$ and $k$ knots $1$, $t$ variable
 :then: $N_{i,k}(t)=\binom{k-1}i(1-t)^{k-1-i}t^i$ on $[0,1)$
 :method: The B-splines by their definition.
 :degrees: 0..7 sampled 8

@@ -127,7 +127,7 @@ may be taken as integers; and that the B-splines have the sum 1 is a property of
 :::{claim} coefficient_matrix_is_affinely_invariant
 :title: The knots at + b have the same matrix
 :zh: 系数矩阵的仿射不变性
-:given: orders $k=p+1$, simple knots $t_i$, numbers $a>0$ and $b$, all variables
+:given: orders $k$, simple knots $t_i$, numbers $a>0$ and $b$, all variables
 :then: the matrix of the knots $a\,t_i+b$ is that of the $t_i$
 :method: The two matrices of the kernel.
 :degrees: 0..5 sampled 7
@@ -272,7 +272,7 @@ Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
 :::{claim} coefficient_rows_have_fixed_sums
 :title: The entries of row 0 have the sum 1, those of every other row the sum 0
 :zh: 系数矩阵各行之和
-:given: orders $k=p+1$, simple knots, variables
+:given: orders $k$, simple knots, variables
 :then: $\sum_ia_{0,i}=1$ and $\sum_ia_{j,i}=0$ for $j\ge1$: the $N_{i,k}$ have the sum 1
 :method: The sums of the entries of the kernel.
 :degrees: 0..5 sampled 7

@@ -136,10 +136,10 @@ CLAIM(steps_of_refinement_compose)
 :title: The theorem has a vivid geometric meaning
 :zh: 定理 4.1.1 的几何意义
 :printed: Theorem 4.1.1 has a vivid geometric meaning, as theorem 2.10.2 has
-:reading: steps_of_refinement_compose | of (4.1.7): knots may be inserted one after the other
-:reading: insertions_commute | and in any order
+:reading: steps_of_refinement_compose | knots may be inserted one after the other, (4.1.7)
+:reading: insertions_commute | two knots may be inserted in either order
 :reading: insertion_cuts_the_corners | each step puts new points on the edges of the polygon before and cuts its corners
-:reading: repeated_insertion_reaches_the_curve | of (4.1.9): after $k-1$ of them a corner is a point of the curve
+:reading: repeated_insertion_reaches_the_curve | after $k-1$ insertions of $t'$ a corner is a point of the curve, (4.1.9)
 :reading: that the meaning is vivid, and like that of theorem 2.10.2: no computation decides it; section 2.10 is not at hand.
 :figure: insertions_commute
 :::

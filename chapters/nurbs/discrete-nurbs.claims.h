@@ -88,7 +88,7 @@ CLAIM(discrete_bsplines_are_shares)
 :::{claim} nothing_inserted_changes_nothing
 :title: With no knot inserted every point has the share 1 in itself
 :zh: 不嵌节点时离散 B 样条为单位阵
-:given: the knots $T$ of the same pairs, $T'=\Phi$; every $i$ and $j$
+:given: the knots $T$ of 22 pairs $T$, $T'$ of patterns, and $T'=\Phi$ in the place of theirs; every $i$ and $j$
 :then: $\alpha_{i,k}^{(T,\Phi)}(j)$ is $1$ for $i=j$ and $0$ otherwise, so that the points and weights of (4.1.6) are the given ones
 :method: The recursion by its letter, the knots variables.
 :degrees: 1..6 sampled 6

@@ -68,7 +68,7 @@ recursions.
 :::{claim} family_steps_along_the_tangent
 :title: A member is reached from that of the level before by a step along its tangent
 :zh: 由上一层沿切线得到下一层
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points, any $t$ and $\tau$, every $r=1,\dots,k-1$
 :let: $P^{[r]}=(\mathbf p^{[r]},w^{[r]})$ of (4.3.17)
@@ -107,7 +107,7 @@ CLAIM(family_steps_along_the_tangent)
 :::{claim} derivative_by_tau_is_that_of_the_level_before
 :title: The derivative by τ is, up to a factor, the derivative by t of the level before
 :zh: 对 τ 的偏导与上一层对 t 的偏导成比例
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; any homogeneous
   coordinate of the points, any $t$ and $\tau$, every $r=1,\dots,k-1$
 :let: $P^{[r]}=(\mathbf p^{[r]},w^{[r]})$ of (4.3.17)
@@ -242,7 +242,7 @@ An identity for any $t$ and $\tau$; the span is that of $t_j$, see `notation-4.3
 :::{claim} weights_of_two_parameters_differ_as_printed
 :title: The difference of the weights of two parameters
 :zh: 两个参数下权之差
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, the distinct knots
+:given: order $k$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, the distinct knots
   variables for $k\le5$ and numbers above; weights, any $t$ and $\tau$, every $r=1,\dots,k-1$ and $i=j-k+r+1,\dots,j$
 :then: the printed equation
 :method: All levels by de Boor's recursion at $t$ and at $\tau$.
@@ -311,7 +311,7 @@ includes, the values are limits from the left.
 :::{claim} level_by_sums_over_the_level_before
 :title: The three steps of the display
 :zh: 所印等式链
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; numbers for the weights, any $t$
   and $\tau$, every $r=1,\dots,k-2$
 :then: each of the four expressions is equal to the first; 0/0 counts as 0
@@ -753,7 +753,7 @@ corners arise.
 :title: The determinant of the level before is a sum of triangles of the control points, no factor of which is negative
 :zh: 上一层族曲线的行列式是控制顶点三角形之非负组合
 :types: field rational
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, with positive gaps,
+:given: order $k$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, with positive gaps,
   variables for $k\le4$ and numbers above; homogeneous points of the plane; $t$, $\tau$ inside the span; every
   $r=1,\dots,k-2$
 :let: $a=t_j$, $b=t_{j+1}$, $P_i=(w_ir_i,w_i)$; $\alpha(x)$ the row of the $k$ discrete B-splines at $k-1$ arguments $x$; $M$ the $3\times k$ matrix of the rows

@@ -42,7 +42,7 @@ the whole segment holds for its polar form, and the control points are values of
 :title: The points of a span are values of the polar form of its segment: a linear relation of the segment is one of
   the points
 :zh: 控制顶点是该段极形式之值
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, the
+:given: order $k$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, the
   distinct knots variables for $k\le5$ and numbers above; homogeneous points, the weights not 0
 :then: the point $i$ is the polar form of the segment, given by its Bézier points, at $t_{i+1},\dots,t_{i+k-1}$
 :method: From the points to the Bézier points of the segment by one kernel, back by another.  If $L(p(t),w(t))=0$ for
@@ -217,10 +217,10 @@ and their derivatives its linear part.
 :::{claim} family_moves_with_its_points
 :title: Under an affine map of the points the members are mapped, and their derivatives by its linear part
 :zh: 顶点经仿射变换,族曲线随之变换
-:given: $k=p+1$; simple knots, or the ends of the span $p$-fold, or its left end double, for $k\le4$ all patterns; weights
+:given: order $k$; simple knots, or the ends of the span $(k-1)$-fold, or its left end double, for $k\le4$ all patterns; weights
   and points, any $t$
   and $\tau$, $r=1,\dots,k-2$; a function $\ell(x,y)=ax+by+c$
-:where: the weights of the levels and of the member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :then: with $\ell(\mathbf r_i)$ for the points the member is $\ell(\mathbf r^{[k-r]}(t,\tau))$, and its derivatives by
   $t$ and by $\tau$ are those of $\mathbf r^{[k-r]}$ under $ax+by$
 :method: Both families by the recursion.  $\ell$ is any coordinate of an affine map; a third coordinate enters as the

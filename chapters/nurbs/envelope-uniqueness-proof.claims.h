@@ -167,7 +167,7 @@ but to solve these equations backwards there is one of them too few.
 :::{claim} weighted_points_follow_the_recursion
 :title: A linear function of the weighted points follows the recursion (4.1.3)
 :zh: 加权顶点的线性函数满足递推 (4.1.3)
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points of space, two vectors $a$, $b$, any $\tau$, every $r=2,\dots,k-1$
 :where: the weights of the levels are not 0

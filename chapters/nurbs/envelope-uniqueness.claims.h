@@ -163,7 +163,7 @@ first derivative at $t$, followed as far as $\tau-t$, with the factor $\frac1{k-
 :::{claim} differences_of_span_give_the_derivative
 :title: The differences of the points, over lengths, with the basis of the next lower order are the derivative
 :zh: 差分与低一阶基函数之和即导矢
-:given: $k=p+1$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, the distinct knots
+:given: order $k$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, the distinct knots
   variables for $k\le5$ and numbers above; points, any $t$
 :then: the printed sums are the derivative divided by $k-1$
 :method: The sums by their letter against the sum with the derivatives of the B-splines of order $k$.
@@ -209,10 +209,10 @@ CLAIM(differences_of_span_give_the_derivative)
 :::{claim} first_level_follows_the_tangent
 :title: Numerator and denominator of the member are the first two terms of Taylor's expansion
 :zh: 第一层族曲线的分子分母
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points, any $t$ and $\tau$
-:where: the weights of the levels and of the member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
@@ -278,7 +278,7 @@ The words before it are lost in the copy at hand.
 :then: both printed formulas, in one coordinate
 :method: The left sides are formal derivatives of a quotient; the right sides the printed terms.  Both depend on
   $p,p',p''$ and $w,w',w''$ at $t$ only, so quadratic polynomials are enough.
-:where: the weights of curve and member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :degrees: all from 1
 :over: k: -; p# w#: coefficients
 :control: $k-1$ in the place of $k-2$
@@ -383,7 +383,7 @@ r''$, so that the other case is the inflections of the curve and nothing else.
 :then: $(k-1)^2W^4\,X_\tau\times X_t=w^2(\tau-t)\{W\,r'\times p''-w''\,r'\times A\}$
 :method: $X_\tau$ and $X_t$ by the quotient rule from $A_\tau=\frac{p'}{k-1}$, $A_t=\frac{k-2}{k-1}p'+\frac{\tau-t}{k-1}p''$, and those of $W$ likewise;
   everything a variable; $W$ and $w$ are positive on the span.
-:where: the weights of curve and member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: the sign of the second term
@@ -410,7 +410,7 @@ CLAIM(first_level_condition_as_printed)
   $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
 :method: $X_\tau$, $X_t$, $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
   joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$.
-:where: the weights of curve and member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: $w^2$ in the place of $w^3$
@@ -447,7 +447,7 @@ inflection is touched by all.
 :then: $X(t_0,\tau)-r(t_0)=\frac{(\tau-t_0)\,w}{(k-1)W}\,r'(t_0)$
 :method: Both sides in one coordinate.  For $r'(t_0)\ne0$ the factor is strictly increasing in $\tau$, its derivative
   being $w^2/((k-1)W^2)$: a segment; for $r'(t_0)=0$ the point $r(t_0)$.
-:where: the weights of curve and member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: $w$ left out
@@ -485,7 +485,7 @@ For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for 
 :let: $r=\frac pw$; $A=p+\frac{\tau-t}{k-1}p'$, $W=w+\frac{\tau-t}{k-1}w'$ and $X=\frac AW$ the member
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot p''=-w''\,(r',A,p'')$
 :method: Everything a variable.
-:where: the weights of curve and member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: the factor $w''$ left out
@@ -509,7 +509,7 @@ CLAIM(product_with_second_derivative_loses_the_left_side)
 :then: $(W\,r'\times p''-w''\,r'\times A)\cdot A=-W\,(r',A,p'')$
 :method: Everything a variable.  $W>0$ on the span, so where the condition holds with $\tau\ne t$ the triple product
   is 0.
-:where: the weights of curve and member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
 :control: the factor $w$ in the place of $W$

@@ -324,7 +324,7 @@ it by continuing each segment beyond its knots.
 :::{claim} legs_are_tangents_of_the_continued_segments
 :title: The leg over a span is a piece of the tangent at τ of the segment of that span, continued to τ
 :zh: 各段直线是该段延拓后在 τ 处的切线
-:given: $k=p+1$; $n=k+2$ homogeneous points over simple knots; any $\tau$ and $t$; every span; $r=k-2$
+:given: order $k$; $n=k+2$ homogeneous points over simple knots; any $\tau$ and $t$; every span; $r=k-2$
 :then: $\sum_{i=k-1}^nN_{i,2}(t)\,w_i^{[k-2]}(\tau)(r_i^{[k-2]}(\tau),1)=P_j(\tau)+\frac{t-\tau}{k-1}P_j'(\tau)$ with
   the polynomials $P_j$ of the span of $t$
 :method: The levels by the recursion for all indices, by its letter; the sum by the recursion of de Boor and Cox as it

@@ -36,7 +36,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :::{claim} marsden_matrix_holds_derivatives
 :title: The kernel's matrix has the printed entries
 :zh: 矩阵 G 元素的核对
-:given: orders $k=p+1$, knots variables
+:given: orders $k$, knots variables
 :let: $\omega_{i,k}$ the product (4.4.14)
 :then: `marsden_matrix` has the entries $\frac{(-1)^\mu\mu!}{(k-1)!}\omega_{i,k}^{(k-1-\mu)}(0)$
 :method: The kernel divides symmetric functions by binomial coefficients; the other side takes formal derivatives of the
@@ -335,7 +335,7 @@ does.
 :::{claim} marsden_determinant_is_product
 :title: The determinant of G is a product of differences of knots
 :zh: det G 的乘积公式
-:given: orders $k=p+1$, knots variables
+:given: orders $k$, knots variables
 :then: $\det G=\prod(t_b-t_a)/\prod_j\binom{k-1}j$ over the pairs $a\le r<b$ with $b-a\le k-1$, as `marsden_determinant`
   computes it
 :method: The determinant of the matrix of symmetric functions: over all permutations up to $k=4$, by Bird's algorithm
@@ -459,7 +459,7 @@ dependence of the rows is one of the powers; that the B-splines are independent 
 :::{claim} singular_g_makes_powers_dependent
 :title: A combination of the rows of G is the combination of the powers
 :zh: G 的行组合对应幂函数组合
-:given: orders $k=p+1$, every pattern of the knots up to order 4 and the two extreme ones above, $t$ and numbers $c_0,\dots,c_{k-1}$, all variables
+:given: orders $k$, every pattern of the knots up to order 4 and the two extreme ones above, $t$ and numbers $c_0,\dots,c_{k-1}$, all variables
 :then: $\sum_\mu c_\mu t^\mu=\sum_i(G^Tc)_iN_{i,k}(t)$; so $G^Tc=0$ makes the polynomial vanish, and $c=0$
 :method: Both sides at a variable $t$.
 :degrees: 0..5 sampled 7
@@ -535,7 +535,7 @@ With $\det G\ne0$ the last two steps are the inverse matrix by cofactors and the
 :::{claim} cofactors_give_powers_of_t
 :title: The cofactors give the B-splines in powers of t
 :zh: 代数余子式给出 B 样条基
-:given: orders $k=p+1$, every pattern of the knots up to order 4 and the two extreme ones above, knots and $t$ variables
+:given: orders $k$, every pattern of the knots up to order 4 and the two extreme ones above, knots and $t$ variables
 :then: $\det G\,N_{i,k}(t)=\sum_\mu g^*_{\mu i}t^\mu$
 :method: Determinants and cofactors of the kernels; the B-splines by definition.
 :degrees: 0..4 sampled 7
@@ -573,6 +573,9 @@ CLAIM(cofactors_give_powers_of_t)
 :printed: t^\mu=\sum_{j=0}^\mu\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j,\quad\mu=0,\dots,k-1
 :holds-by: power_of_t_in_every_degree
 :confirmed-by: power_of_t_in_powers_of_u
+:needs: empty_span_has_no_parameter | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
+
+$t_r^0=1$, also for $t_r=0$.
 :::
 
 :::{claim} power_of_t_in_powers_of_u

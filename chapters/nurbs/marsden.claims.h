@@ -47,7 +47,7 @@ powers it has the elementary symmetric functions of these knots as coefficients.
 :::{claim} marsden_coefficients_vanish_at_inner_knots
 :title: The kernel's coefficients are the products of x minus the inner knots
 :zh: ω 的系数与零点
-:given: orders $k=p+1$, the 2k knots and $x$ variables
+:given: orders $k$, the 2k knots and $x$ variables
 :then: `marsden_coefficients` gives $\sum_j(-1)^j\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,x^{k-1-j}$, with
   $\mathrm{Sym}_j$ the sum over all subsets of $j$ knots
 :method: The product of the kernel against the sum over the $2^{k-1}$ subsets of the inner knots.
@@ -131,7 +131,7 @@ as well.
 :::{claim} marsden_identity
 :title: Marsden's identity for knots, x and t as variables
 :zh: Marsden 恒等式(节点为变量)
-:given: orders $k=p+1$, simple knots, all variables; $x$ and $t$ variables
+:given: orders $k$, simple knots, all variables; $x$ and $t$ variables
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: The B-splines by their definition.
 :degrees: 0..5 sampled 7
@@ -344,7 +344,7 @@ With the polynomials of the span in the places of the $N_{i,k}$ it holds for all
 :::{claim} marsden_identity_up_to_order_eight
 :title: Marsden's identity for greater orders
 :zh: 高阶 Marsden 恒等式
-:given: orders $k=p+1$ from 1 to 8, $x$, $t$ and $t_r$ variables; the other knots equidistant around $t_r$, or all
+:given: orders $k$ from 1 to 8, $x$, $t$ and $t_r$ variables; the other knots equidistant around $t_r$, or all
   equal on each side
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: The B-splines from the kernel of the basis, at a variable $t$.
@@ -611,7 +611,7 @@ So each step lowers the order by 1 and leaves a factor behind, until one functio
 :::{claim} every_link_of_the_chain
 :title: Every link of the chain
 :zh: 等式链逐环成立
-:given: orders $k=p+1$, simple knots, $x$ and $t$ variables
+:given: orders $k$, simple knots, $x$ and $t$ variables
 :then: $(x-t)^{k-m}\sum_{i=r-m+1}^r\omega_{i,m}(x)N_{i,m}(t)=(x-t)^{k-1}$ for $m=k,k-1,\dots,1$
 :method: Each sum by itself, from the definitions.
 :degrees: 0..5 sampled 7
@@ -720,7 +720,7 @@ static num G(omega_derivative)(const struct G(span) * S, int i, int order)
 :::{claim} powers_of_t_from_derivatives
 :title: The powers of t from the derivatives of omega at 0
 :zh: 由 ω 的导数得幂函数
-:given: orders $k=p+1$, every pattern of the knots up to order 4 and the two extreme ones above, knots and $t$ variables
+:given: orders $k$, every pattern of the knots up to order 4 and the two extreme ones above, knots and $t$ variables
 :then: (4.4.20) for every $\mu$; its right sides are the entries of $(N_{r-k+1,k},\dots,N_{r,k})\,G^T$ with $G=(g_{\mu
   i})$
 :method: The derivatives are formal derivatives of $\omega_{i,k}(x)$ in the field, the B-splines by definition.
@@ -773,7 +773,7 @@ knots.  This is a polar form in disguise: the control value of $t^j$ at the inne
 :::{claim} powers_of_t_from_symmetric_functions
 :title: The powers of t from the symmetric functions of the knots
 :zh: 由对称函数得幂函数
-:given: orders $k=p+1$, every pattern of the knots up to the order 3, else simple knots; knots and $t$ variables
+:given: orders $k$, every pattern of the knots up to the order 3, else simple knots; knots and $t$ variables
 :then: (4.4.22) for every $j$
 :method: The symmetric functions as sums over subsets, the B-splines by definition.
 :degrees: 0..5 sampled 7
@@ -832,7 +832,7 @@ That the two forms (4.4.20) and (4.4.22) agree is a matter of one derivative at 
 :::{claim} derivatives_of_omega_are_symmetric
 :title: The derivative of order k-1-j of omega at 0
 :zh: ω 的 k-1-j 阶导数
-:given: orders $k=p+1$, knots variables
+:given: orders $k$, knots variables
 :then: $\omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j$
 :method: The formal derivative in the field against the sum over subsets.
 :types: field

@@ -345,7 +345,7 @@ CLAIM(second_differences_are_averaged)
 :::{claim} halving_the_gaps_divides_the_bound_by_four
 :title: The parabola with equal gaps attains the bound at every step of halving
 :zh: 抛物线达到上界,误差每次减为四分之一
-:given: $f=\frac12t^2$, equal gaps $h$, then $\frac h2$, both variable; a vertex $d_j$ with simple knots, $\xi_j$ their mean; $k=p+1$
+:given: $f=\frac12t^2$, equal gaps $h$, then $\frac h2$, both variable; a vertex $d_j$ with simple knots, $\xi_j$ their mean; order $k$
 :then: $f(\xi_j)-d_j=\frac k{24}h^2$, and with the gaps halved a quarter of it: the order of convergence is 2 and not higher
 :method: The polar form by the kernel.
 :degrees: 2..6 sampled 9

@@ -122,11 +122,11 @@ CLAIM(printed_insertion_keeps_the_curve)
 
 /*
 :::{claim} printed_factors_are_the_discrete_shares
-:title: The printed factors are the discrete B-splines of one knot
+:title: The factors of lemma 4.2.1 are the discrete B-splines of one knot
 :zh: 所印因子即单节点的离散 B 样条
 :given: all knots simple, or both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $\tau$ inside any interval between $t_1$ and $t_{n+k}$, or a knot
-  there of a multiplicity below $k$
-:then: for $1\le i\le n$ and $1\le j\le n+1$, $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is the printed $\alpha_j$ for $i=j$, $1-\alpha_j$ for $i=j-1$, and $0$ for all other $i$; so
+  there of a multiplicity below $k$; the factors $\alpha_j$ that the proof of lemma 4.2.1 prints
+:then: for $1\le i\le n$ and $1\le j\le n+1$, $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is $\alpha_j$ for $i=j$, $1-\alpha_j$ for $i=j-1$, and $0$ for all other $i$; so
   that (4.1.6) is the printed mean of two points, for $\tau$ outside the domain at the ends $r_1$ and $r_n$ alone
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left, against the printed cases.
 :degrees: k = 1..6 sampled 7
@@ -212,9 +212,9 @@ CLAIM(clamped_start_inserted_again_repeats_the_first_point)
 
 /*
 :::{claim} insertion_ratios_are_between_zero_and_one
-:title: The printed factors are between 0 and 1
+:title: The factors of lemma 4.2.1 are between 0 and 1
 :zh: 0≤α_i≤1
-:given: an index $i=\mu-k+2+m$ of the middle case, $m\ge0$, and so $i+k-1=\mu+1+m$; the distances $a=t_\mu-t_i$, $b=\tau-t_\mu$, $c=t_{\mu+1}-\tau$ and
+:given: $\tau\in(t_\mu,t_{\mu+1}]$; an index $i=\mu-k+2+m$ for which the proof of lemma 4.2.1 prints a quotient as factor, $m\ge0$, and so $i+k-1=\mu+1+m$; the distances $a=t_\mu-t_i$, $b=\tau-t_\mu$, $c=t_{\mu+1}-\tau$ and
   $d=t_{i+k-1}-t_{\mu+1}$, with $b>0$ and each of the others positive or $0$
 :let: $\alpha_i=\frac{\tau-t_i}{t_{i+k-1}-t_i}$
 :then: $0\le\alpha_i\le1$; and for $c=d=0$, as for $\tau=t_{\mu+1}$ and $m=0$, it is $\alpha_i=1$
@@ -253,7 +253,7 @@ the old ones, and the coefficients are minors of the matrix of the insertion. No
 the corners are cut.
 
 :::{claim} insertion_turns_like_its_triangles
-:title: An insertion keeps the turn of every triangle
+:title: An insertion keeps the turn of the triangles where all turn one way
 :zh: 嵌节点保持三角形转向
 :given: $n$ points of the plane with weights; new homogeneous points, $1-\alpha_i$ times point $i-1$ plus $\alpha_i$ times point $i$, all $\alpha_i=\frac{a_i}{1+a_i}$ with $a_i>0$; the first and the last new point are the old one times a positive share, which is $1$,
   or less for a knot outside the domain

@@ -123,10 +123,10 @@ belongs to an interval that does not contain $[t_j,t_{j+1}]$, and may be $0$. In
 coincide.
 
 :::{claim} divisors_contain_the_span
-:title: In the printed ranges no divisor vanishes
+:title: In the ranges of (4.1.3) no divisor vanishes
 :zh: 所列指标范围内分母不为零
 :types: field rational
-:given: $k$, $j$ and $r$; an index $i=j-k+r+1+m$ of the range, $m\ge0$, and so $i=j-l$ with $l=k-r-1-m\ge0$; all of them variables
+:given: the order $k$, the span $[t_j,t_{j+1})$ and the level $r$ of (4.1.3); an index $i=j-k+r+1+m$ of its range, $m\ge0$, and so $i=j-l$ with $l=k-r-1-m\ge0$; all of them variables
 :then: $j-i=l$ and $(i+k-r)-(j+1)=m$, so that $i\le j<j+1\le i+k-r$: the interval $[t_i,t_{i+k-r}]$ contains $[t_j,t_{j+1}]$, and the divisor is at least
   $t_{j+1}-t_j>0$, whatever knots coincide outside; for $i=j-k+r$ it is $i+k-r=j$, and the interval does not contain it
 :method: Identities in the indices, for every $k$ at once.

@@ -28,7 +28,7 @@ here, though its chapter on Bézier curves does: how closely a member touches th
 :::{claim} equal_weights_give_the_polynomial_family
 :title: With equal weights all levels have these weights, and their points are those of de Boor's algorithm
 :zh: 权相等时各层权不变
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; one weight $w_1$
   for all points; any $\tau$, $r=1,\dots,k-1$
 :then: $w_i^{[r]}(\tau)=w_1$, and $r_i^{[r]}(\tau)$ is the point of level $r$ of de Boor's triangle without weights
@@ -85,7 +85,7 @@ does not exist, here as there.
 :::{claim} bezier_span_gives_the_bezier_family
 :title: Between (k-1)-fold knots level r is level r of the rational de Casteljau triangle, and the basis is Bernstein's
 :zh: k-1 重节点之间的族即有理 Bézier 曲线族
-:given: $k=p+1$; a span whose ends are $(k-1)$-fold knots; weights and points, any $t$ and $\tau$, $r=0,\dots,k-1$
+:given: order $k$; a span whose ends are $(k-1)$-fold knots; weights and points, any $t$ and $\tau$, $r=0,\dots,k-1$
 :then: with $\lambda=\frac{\tau-t_j}{t_{j+1}-t_j}$: $w_i^{[r]}$ and $r_i^{[r]}$ are the weights and points of level
   $r$ of the rational de Casteljau triangle at $\lambda$, and
   $N_{i,k-r}(t)=B_{i-j+k-r-1}^{k-r-1}\bigl(\frac{t-t_j}{t_{j+1}-t_j}\bigr)$
@@ -152,10 +152,10 @@ this leg is a tangent.
 :::{claim} lines_of_the_family_by_two_points
 :title: The member of order 2 is the printed quotient of two points
 :zh: 二阶族曲线即所印的两点之商
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points, any $t$ and $\tau$; $r=k-2$
-:where: the weights of the levels and of the member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :then: (4.3.3) is (4.3.8)
 :method: Both quotients by their letter, one coordinate.
 :degrees: 2..6 sampled 7
@@ -193,7 +193,7 @@ curve.
 :::{claim} span_derivatives_are_parallel
 :title: The homogeneous derivatives of member and curve are parallel in every order
 :zh: 族曲线与曲线的各阶齐次导矢平行
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points, any $t$, every $r=0,\dots,k-1$ and $i=0,\dots,k-1-r$
 :then: with $n=k-1$, $m=n-r$: $\frac{n!}{(n-i)!}\,\partial_t^iP^{[r]}(t,t)=\frac{m!}{(m-i)!}\,P^{(i)}(t)$ for the
@@ -282,7 +282,7 @@ CLAIM(curvatures_have_a_fixed_ratio)
 :title: The ratio of the curvatures, measured on curves of the plane and of space
 :zh: 曲率比的直接计算
 :types: rational interval double
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points of the plane and of space, any $t$, $r=1,\dots,k-2$
 :then: $((k-r-1)(k-2))^2\,\kappa^2_{k-r}(t)=((k-1)(k-r-2))^2\,\kappa^2(t)$

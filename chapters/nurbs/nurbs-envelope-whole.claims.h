@@ -61,7 +61,7 @@ shared by the pieces of the member, and where an index has $t_i=t_{i+k-r}$ no pi
 :::{claim} whole_member_is_polar_on_every_span
 :title: On every span the whole member is the polar form of the segment of that span
 :zh: 整条族曲线在每一段上都是该段的极形式
-:given: $k=p+1$; points with weights over simple knots, and over knots one of which, inside, is double, $(k-1)$-fold or
+:given: order $k$; points with weights over simple knots, and over knots one of which, inside, is double, $(k-1)$-fold or
   $k$-fold; any $\tau$, $t$ in each span; $r=1,\dots,k-2$
 :then: $\sum_{i=r+1}^nN_{i,k-r}(t)\,w_i^{[r]}(\tau)\,(r_i^{[r]}(\tau),1)=f[\tau^r,t^{k-1-r}]$ with the polar form $f$
   of the segment that contains $t$

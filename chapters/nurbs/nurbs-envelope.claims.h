@@ -38,7 +38,7 @@ quotients $0/0$.
 :::{claim} segment_needs_the_points_of_its_span
 :title: On a span the sum over all points is the sum over the k points of the span
 :zh: 在一段上全部项之和即该段 k 项之和
-:given: $k=p+1$; $p+3$ points and weights over knots of these patterns: an inner knot of every multiplicity
+:given: order $k$; $k+2$ points and weights over knots of these patterns: an inner knot of every multiplicity
   $1,\dots,k$ among simple ones, and $k$-fold ends with two simple knots between; every span $[t_j,t_{j+1})$; any $t$
 :then: $\sum_{i=1}^nN_{i,k}(t)w_ir_i=\sum_{i=j-k+1}^jN_{i,k}(t)w_ir_i$, and the same for $w$
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
@@ -100,7 +100,7 @@ the places that are left.
 :::{claim} member_of_span_is_polar
 :title: The member is the polar form with r arguments τ and k-1-r arguments t
 :zh: 族曲线即极形式
-:given: $k=p+1$; a span of simple knots, one with a double knot, one whose ends are $(k-1)$-fold, and for $k\le4$ all patterns,
+:given: order $k$; a span of simple knots, one with a double knot, one whose ends are $(k-1)$-fold, and for $k\le4$ all patterns,
   the distinct
   knots variables for $k\le5$ and numbers above; weights and points, any $t$ and $\tau$, every $r=0,\dots,k-1$
 :where: the weights of the levels are not 0
@@ -143,7 +143,7 @@ CLAIM(member_of_span_is_polar)
 :::{claim} extrapolated_members_keep_positive_weights_inside
 :title: On its own span every weight of every level and every denominator of a member is positive
 :zh: 在本段内各层权及族曲线分母恒正
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; positive
   weights; $t$ and $\tau$ inside the span or at its left end
 :then: $w_i^{[r]}(\tau)>0$ for all $r=1,\dots,k-2$ and $i=j-k+r+1,\dots,j$, and $\sum N_{i,k-r}(t)w_i^{[r]}(\tau)>0$
@@ -205,10 +205,10 @@ it.
 :::{claim} member_of_extreme_levels
 :title: Level 0 gives the curve for every τ, level k-1 its point
 :zh: 第 0 层即曲线,第 k-1 层即曲线上的点
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; weights and
   points, any $t$ and $\tau$
-:where: the weights of the levels and of the member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :then: $r^{[k]}(t,\tau)=r(t)$ and $r^{[1]}(t,\tau)=r(\tau)$
 :method: The recursion for the members, the kernel of the point for the curve.
 :degrees: 2..6 sampled 7
@@ -266,7 +266,7 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :::{claim} levels_keep_weight_and_point
 :title: At τ = t every level sums up to the same weight and the same point
 :zh: τ=t 时各层之和相同
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
 :where: the weights of the levels are not 0
@@ -328,7 +328,7 @@ CLAIM(levels_keep_weight_and_point)
 :::{claim} levels_shrink_the_derivative
 :title: The derivative of the basis alone gives (k-r-1)/(k-r) of the level before and (k-r-1)/(k-1) of the curve
 :zh: 仅对基函数求导所得的比例
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
 :where: the weights of the levels are not 0
@@ -422,10 +422,10 @@ the display is compared too.
 :::{claim} member_of_span_touches_curve
 :title: At τ = t the member has the point of the curve and (k-r-1)/(k-1) of its derivative
 :zh: τ=t 处族曲线与曲线同点,导矢之比为 (k-r-1)/(k-1)
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
-:where: the weights of the levels and of the member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :then: $r^{[k-r]}(t,t)=r(t)$ and
   $\partial_tr^{[k-r]}(t,\tau)=\frac{k-r-1}{k-1}r'(t)=\frac{k-r-1}{k-1}\frac{wp'-w'p}{w^2}$ at $\tau=t$
 :method: Member and curve by the kernels of rational derivatives, and the middle term by its letter.  $t$ is any
@@ -541,10 +541,10 @@ to look out for.
 :::{claim} envelope_condition_holds_on_the_diagonal
 :title: On the diagonal the derivatives of the member by t and by τ are parallel
 :zh: 对角线上族曲线对 t, τ 的偏导矢平行
-:given: $k=p+1$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
   patterns; weights and
   points, any $t$, every $r=1,\dots,k-2$
-:where: the weights of the levels and of the member are not 0
+:where: the weights of the curve, the levels and the member are not 0
 :then: at $\tau=t$: $\partial_\tau r^{[k-r]}=\frac r{k-1}r'$ and $\partial_tr^{[k-r]}=\frac{k-r-1}{k-1}r'$, so that
   $\partial_\tau r^{[k-r]}\times\partial_tr^{[k-r]}=0$
 :method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous

@@ -760,7 +760,7 @@ $\mu_i+(i-1)(k-1)$.
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts: the vertices may be ends of such edges
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
-:argued: every curve | The points are common points of the line and of the polygon, being vertices.  Two of them that belong to different intersections are not joined by edges on the
+:argued: | The points are common points of the line and of the polygon, being vertices.  Two of them that belong to different intersections are not joined by edges on the
   line: the curve between is a mean of the vertices from one to the other, and would be on the line with them.
 :figure: points_of_the_line_as_vertices
 :::

@@ -46,9 +46,9 @@ this can be computed is decided here.
 :printed: One is used to computing with NURBS in homogeneous coordinates, but in these it is hard to infer their geometric properties in the
   three-dimensional world; we analyse its discrete structure: with the discrete NURBS curve as a tool, that convexity is kept and variation diminished is obvious
 :reading: insertion_cuts_the_corners | that the discrete curves cut corners, in the space of the curve
-:reading: polygon_that_turns_back_loses_convexity | that the first holds for every polygon that is convex by the letter of definition 4.2.1
-:reading: insertion_turns_like_its_triangles | of homogeneous coordinates: in them, too, it is seen in which sense the triangles of three
-  points turn, by their determinants, and that an insertion keeps it
+:reading: polygon_that_turns_back_loses_convexity | that convexity is kept for every polygon that is convex by the letter of definition 4.2.1
+:reading: insertion_turns_like_its_triangles | that homogeneous coordinates show the turn, too: by the determinants of three
+  points it is seen in which sense their triangles turn, and that an insertion keeps it where all turn one way
 :reading: that it is hard there and obvious here: opinions.
 :figure: cutting_corners
 :::
@@ -370,7 +370,7 @@ in its interval, they only add, multiply and divide numbers of one sign.
   $N_{i,k}(t)$ times point $i$ with each term changed by at most that many factors $1\pm u$ or their reciprocals, $u$ the unit of rounding.
 :degrees: 1..16
 :scope: curves of the plane
-:argued: every k | Level $r$ adds $5$ roundings, with weights $10r+2$, as each of its points is computed with the same operations.
+:argued: every order | Level $r$ adds $5$ roundings, with weights $10r+2$, as each of its points is computed with the same operations.
 :control: four roundings a level
 :::
 */
@@ -397,10 +397,10 @@ CLAIM(recursion_subtracts_data_only)
 :printed: The matrix form in the power basis has polynomial time complexity and is suited to the algorithm of Qin
   Jiushao and Horner
 :holds-by: horner_takes_two_operations_a_degree matrices_take_polynomial_time
-:argued: every k | Polynomial is a word about all orders: Horner's rule has one product and one sum for each power, and the kernels of the matrices are
+:argued: every order | Polynomial is a word about all orders: Horner's rule has one product and one sum for each power, and the kernels of the matrices are
   loops inside loops, as many as the exponent of the bound says.
 :confirmed-by: determinant_written_out_is_factorial
-:meant: the word time, which is that of a computation | The time of computing with the matrices, by elimination and products.
+:meant: the word time, which is that of a computation | The time of computing with the matrices, by recursion, or by determinants in polynomial time, and products.
 :figure: recursion_steps
 
 Not meant is to write $\det\mathbf G$ of (4.4.17) out as the sum over permutations that defines it: this has $k!$ terms, by

@@ -158,7 +158,7 @@ Nothing in the source says what $\alpha_l$ is.
 :::{claim} simple_basis_from_weights
 :title: The sum over the knots to the right of the span
 :zh: 区间右侧节点求和得 B 样条基
-:given: orders $k=p+1$, simple knots and $t$ variables
+:given: orders $k$, simple knots and $t$ variables
 :then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1
 :method: The weights of `divided_weights`, the B-splines by definition.
 :degrees: 0..5 sampled 7
@@ -282,7 +282,7 @@ formula is proved first; then the printed one is compared with it, and the parit
 :::{claim} simple_matrix_is_the_matrix
 :title: The corrected formula gives the coefficient matrix
 :zh: 改正后的 (4.4.23)
-:given: orders $k=p+1$, odd and even, simple knots and $u$ variables
+:given: orders $k$, odd and even, simple knots and $u$ variables
 :then: the columns of `bspline_matrix_simple`, the sums (4.4.23) with $t_l-t_\alpha$ and the exponent $k-1-j$, are the $N_{i,k}$ in powers of $u$
 :method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
 :degrees: 0..5 sampled 7
@@ -310,7 +310,7 @@ CLAIM(simple_matrix_is_the_matrix)
 :::{claim} printed_simple_matrix_differs_by_the_parity_sign
 :title: With the exponent k-1-j the printed matrix is (-1)^k times the right one
 :zh: 印式与正确矩阵相差 (-1)^k
-:given: orders $k=p+1$, odd and even, simple knots, variables
+:given: orders $k$, odd and even, simple knots, variables
 :then: the sum (4.4.23) with the exponent $k-1-j$ and the factors $t_\alpha-t_l$ is $(-1)^ka_{ji}$; with the factors $t_l-t_\alpha$ it is $a_{ji}$
 :method: Both sums by their letter against `bspline_matrix`, which computes the $a_{ji}$ by the recursion of de Boor and Cox.
 :degrees: 0..4 sampled 7
@@ -403,8 +403,8 @@ The knots are $a+hi$, and the matrix is that of $a=0$, $h=1$.
 :::{claim} uniform_matrix_is_the_matrix
 :title: The formula for equidistant knots gives the coefficient matrix
 :zh: 等距节点系数矩阵公式
-:given: orders $k=p+1$, the knots $a+hm$ with variables $a$ and $h$, $u$ variable
-:then: the columns of `bspline_matrix_uniform`, the printed sums, in which neither $a$ nor $h$ stands, are the $N_{i,k}$ in powers of $u$
+:given: orders $k$, the knots $t_i=a+hi$ with variables $a$ and $h$, $u$ variable
+:then: the columns of the matrix of the printed sums, in which neither $a$ nor $h$ stands, are the $N_{i,k}$ in powers of $u$
 :method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
 :degrees: 0..6 sampled 8
 :over: a: first knot; h: gap
@@ -480,7 +480,7 @@ static num G(uniform_line)(int line, int k, int r, int i, int j, int one)
 :::{claim} corrected_entry_becomes_the_first_sum
 :title: Formula 4.4.23, its factors put right, becomes the first sum
 :zh: 改正后的 (4.4.23) 化为第一式
-:given: orders $k=p+1$, the knots $t_{r-k+1},\dots,t_{r+k}$, which are $a,a+1,\dots,a+2k-1$ with a variable $a$
+:given: orders $k$, the knots $t_{r-k+1},\dots,t_{r+k}$, which are $a,a+1,\dots,a+2k-1$ with a variable $a$
 :then: for all $i$ and $j$ the sum (4.4.23) with the factors $t_l-t_\alpha$ and the exponent $k-1-j$ is the first sum with this exponent
 :method: Both sums by their letter.  In the first sum only differences of $l$, $i$ and $r$ stand, so that $r$ may be taken as $k-1$.
 :degrees: 0..6 sampled 8
@@ -522,7 +522,7 @@ of the matrix.  The sign with which the chain begins is the right one, so it doe
 :title: The four sums, with the digit 1, are the entries of the matrix
 :zh: 改正后四式均为矩阵元素
 :kind: decision
-:given: the orders $k=p+1$, $r=0$ and $r=k+2$, the knots $t_i=i$
+:given: the orders $k$, $r=0$ and $r=k+2$, the knots $t_i=i$
 :then: for all $i$ and $j$ the four sums are $a_{ji}$, the first also when it is computed from (4.4.23) with the factors
   $t_l-t_\alpha$
 :method: Every sum by its letter, with the digit 1 where the letter $l$ stands for it; the degree below is $k-1$.
@@ -558,7 +558,7 @@ The last sum knows nothing of $r$, and each term of the others is one of its ter
 :title: The fourth sum, with the digit 1, is the entry of the matrix
 :zh: 第四式即矩阵元素
 :kind: decision
-:given: the orders $k=p+1$
+:given: the orders $k$
 :then: for all $s$ and $j$ the fourth sum with the exponent $k-1-j$ is the entry of row $j$ and column $s$ of the kernel's matrix; $r$ is in neither
 :method: The sum by its letter, with the digit 1 where the letter $l$ stands for it; that the kernel's matrix is that of equidistant knots is
   `uniform_matrix_is_the_matrix`.

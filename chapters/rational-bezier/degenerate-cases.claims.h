@@ -221,9 +221,10 @@ CLAIM(geometric_weights_reparametrize_bezier)
 :zh: 逐项成立:任意次数
 :given: variables $n,i,\alpha,u$
 :let: $t=\alpha u/D$, $D=1-u+\alpha u$
+:where: $1-u+\alpha u\ne0$
 :then: $D(1-t)=1-u$ and $\frac{n-i}{i+1}\frac t{1-t}=\alpha\frac{n-i}{i+1}\frac u{1-u}$
 :method: So $D^nB_0^n(t)=B_0^n(u)$, and the quotients $B_{i+1}^n/B_i^n$ at $t$ and $u$ differ by the factor
-  $\alpha$; by induction on $i$, $D^nB_i^n(t)=\alpha^iB_i^n(u)$ for all $i\le n$.  The sum over $i$ is $D^n=\sum
+  $\alpha$ where $u\ne1$, and by continuity at $u=1$, as polynomials in $u$ do; by induction on $i$, $D^nB_i^n(t)=\alpha^iB_i^n(u)$ for all $i\le n$.  The sum over $i$ is $D^n=\sum
   B_i^n(u)\alpha^i$.  Outside the field $n$ and $i$ are random integers, and the result is compared term by term.
 :degrees: all
 :over: alpha; i n: -

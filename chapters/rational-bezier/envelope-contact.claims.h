@@ -35,7 +35,7 @@ binomial coefficients.
 :reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$; so they are for equal weights,
   whose derivatives are the homogeneous ones (`members_are_flatter_powers`; computed for $n\le6$ in `unweighted_derivatives_are_parallel`), but not for the others of the example
 :reading: members_are_flatter_powers | the same osculating line, plane, ... up to dimension $n-r$, for all weights,
-  and in the plane empty from dimension 2 on | By (1) and the binomial theorem the homogeneous derivatives of order $k\le n-r$ of member and curve are
+  and in the plane empty from dimension 2 on | Since a homogeneous factor $D(c+h)$ is $D(c)+h\delta$, the homogeneous derivatives of order $k\le n-r$ of member and curve are
   $\frac{(n-r)!}{(n-r-k)!}$ and $\frac{n!}{(n-k)!}$ times one vector; the factors are not 0, so the derivatives of the member span what those of the curve do.
 :corrected: at $t=c$ with $\mathbf R'(c)\ne0$ the contact has for every $r\ge1$ the order of contact of $\mathbf R$
   with its tangent: it is 1 where the curvature $\kappa$ of $\mathbf R$ is not 0, and there, with the curvature $\kappa^{[n-r]}$ of the member,
