@@ -104,6 +104,9 @@ void fit_respace(const cagd_spline *from, int period, const double v[], int coun
 
 /* ---- one fit ------------------------------------------------------------------------------------------ */
 
+/* Excursions, loops and gaps; a cusp as well. */
+enum { NO_FIGURE = 1, NO_CUSP };
+
 typedef struct search {
     const cagd_fit_data *data;
     const cagd_fit_options *options;
@@ -113,7 +116,7 @@ typedef struct search {
     cagd_fit_result *best;
     double within;  /* with a tolerance, the distance that every point is to keep within       */
     int good_alone; /* with a tolerance, whether a minimum that is not good or has loops is passed over too */
-    int shapely;    /* whether a curve with excursions, loops, gaps or a cusp is passed over */
+    int shapely;    /* what a curve is passed over for: nothing, or one of the two below    */
     int scattered; /* how many neighbours it takes until points do not scatter by more than they are apart, see means.h */
     int dense;     /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
     double score;
@@ -191,17 +194,17 @@ static int problems_of(const search *s, const cagd_fit_result *r)
 /* A good fit that crosses itself no more often than its points do. */
 static int has_no_loops(const search *s, const cagd_fit_result *r) { return !(problems_of(s, r) & CAGD_FIT_LOOPS); }
 
-/* Whether the curve has excursions, loops, gaps, or turns back as at a cusp. */
-static int is_shapely(const search *s, const cagd_fit_result *r)
+/* Whether the curve has no excursions, loops and gaps and, if that is asked, does not turn back as at a cusp. */
+static int is_shapely(const search *s, const cagd_fit_result *r, int cusp_too)
 {
     double t;
-    return !(problems_of(s, r) & FIGURE) && cagd_fit_has_cusp(r, &t) == 0;
+    return !(problems_of(s, r) & FIGURE) && !(cusp_too && cagd_fit_has_cusp(r, &t));
 }
 
 /* Whether the fit is one that the search may end with. */
 static int may_be_best(const search *s, const cagd_fit_result *r)
 {
-    REQUIRE(s->within > 0, fit_is_good(s->data, s->options, r) && !(s->shapely && !is_shapely(s, r)));
+    REQUIRE(s->within > 0, fit_is_good(s->data, s->options, r) && (!s->shapely || is_shapely(s, r, s->shapely == NO_CUSP)));
     return s->good_alone ? has_no_loops(s, r) : cagd_fit_is_minimum(r);
 }
 
@@ -247,7 +250,7 @@ static cagd_status finish(const search *s, const cagd_fit_options *options, cagd
     REQUIRE(status == CAGD_OK, (cagd_fit_free(last), status));
     const int worse =
         (fit_is_good(s->data, options, last) && !fit_is_good(s->data, options, *result)) ||
-        (is_shapely(s, last) && !is_shapely(s, *result)) ||
+        (is_shapely(s, last, 0) && !is_shapely(s, *result, 0)) ||
         (last->found.smoothed == 3 && (is_within(s, *result) < is_within(s, last) || !has_no_loops(s, *result)));
     (*result)->found = last->found;
     cagd_fit_free(worse ? *result : last);
@@ -692,12 +695,12 @@ static cagd_status put_both(search *s)
     return status == CAGD_OK && !s->dense ? put_in(s, 1) : status;
 }
 
-/* Where the best curve has excursions, loops, gaps or a cusp, once more among those that have none, if there are any. */
+/* Where the best curve has excursions, loops or gaps, once more among those that have neither them nor a cusp, if there are any. */
 static cagd_status put_shapely(search *s)
 {
-    REQUIRE(s->best != NULL && !s->shapely && !(s->within > 0) && !is_shapely(s, s->best), CAGD_OK);
+    REQUIRE(s->best != NULL && !s->shapely && !(s->within > 0) && !is_shapely(s, s->best, 0), CAGD_OK);
     search again = *s;
-    again.best = NULL, again.shapely = 1;
+    again.best = NULL, again.shapely = NO_CUSP;
     const cagd_status status = put_both(&again);
     const int found = status == CAGD_OK && again.best != NULL;
     cagd_fit_free(found ? s->best : again.best);
@@ -714,7 +717,8 @@ static cagd_status search_knots(search *s)
     if (status == CAGD_OK)
         status = put_shapely(s);
     if (status == CAGD_OK && s->best != NULL) {
-        s->shapely = shapely || (!(s->within > 0) && is_shapely(s, s->best));
+        if (!s->shapely && !(s->within > 0))
+            s->shapely = is_shapely(s, s->best, 0) ? NO_FIGURE : 0;
         status = take_out_idle(s);
     }
     if (status == CAGD_OK && s->best != NULL)
@@ -876,7 +880,7 @@ static cagd_status search_by_means(search *s)
     cagd_fit_data means;
     cagd_status status = fit_means(s->data, s->scattered, &means);
     search of_means = *s;
-    of_means.data = &means, of_means.scattered = 1, of_means.shapely = s->shapely = 1;
+    of_means.data = &means, of_means.scattered = 1, of_means.shapely = s->shapely = NO_FIGURE;
     if (status == CAGD_OK)
         status = search_knots(&of_means);
     if (status == CAGD_OK)
