@@ -324,7 +324,7 @@ The other condition printed with the functions, $f_0+f_1=1$, is not needed for t
 :zh: 矩阵 M 的角点可由四条边界曲线求得
 :printed: The four elements of $M$ are the position vectors of the corners, and can be computed from the four given curves.
 :holds-by: four_curves_are_borders
-:hypothesis: open_corner_loses_the_border | the curves meet at the corners: each corner is an end of two of them, and both give one point
+:hypothesis: open_corner_is_two_points | the curves meet at the corners: each corner is an end of two of them, and both give one point
 :needs: blendings_without_end_values_lose_a_corner | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
   $f_0(1)=f_1(0)=0$: with these the patch keeps its borders, and with them the corners
 :figure: boolean_sum
@@ -391,6 +391,32 @@ CLAIM(open_corner_loses_the_border)
     found(T, "P(0,w)", P);
     about(T, "P(0,w) and the curve 0w");
     same(T, P, A[0]);
+}
+
+/*
+:::{claim} open_corner_is_two_points
+:title: If two curves do not meet a corner is two points
+:zh: 两边界不相接则角点不唯一
+:kind: counterexample
+:data: ends of 0w = 0 2; ends of u0 = 1 3
+:instead: ends of u0 = 0 3
+:result: 00 on 0w = 0; 00 on u0 = 1
+:given: $f_0=1-t$, $f_1=t$; two straight borders on a line, each given by its ends: $0w$ from $w=0$ to $1$, $u0$ from $u=0$ to $1$
+:then: the corner $00$ computed from $0w$ at $w=0$ is not that computed from $u0$ at $u=0$
+:method: Both borders are computed at parameter 0.
+:control: the borders meet
+:::
+*/
+CLAIM(open_corner_is_two_points)
+{
+    num start[2] = {from_int(1), from_int(0)}, along_w[2], along_u[2];
+    given_points(T, "ends of 0w", 2, 1, along_w);
+    given_points(T, "ends of u0", 2, 1, along_u);
+    num of_0w = ruled_q(start, along_w), of_u0 = ruled_q(start, along_u);
+    found(T, "00 on 0w", of_0w);
+    found(T, "00 on u0", of_u0);
+    about(T, "the corner 00 computed from 0w and from u0");
+    same(T, of_0w, of_u0);
 }
 
 /*
