@@ -47,14 +47,14 @@ static int says_enough(const json_t *one)
     }
     json_array_foreach(steps, k, step)
     {
-        const json_t *sides = json_object_get(step, "same");
+        const json_t *sides = json_object_get(step, "same"), *side;
+        int alone = json_object_get(step, "parameter") != NULL; /* differences, each of another relation */
+        size_t m, of_told = 0;
         sides = sides != NULL ? sides : json_object_get(step, "of");
-        size_t last = json_array_size(sides) - 1; /* the difference alone of an inequality that holds in a box */
-        if (sides != NULL && told[json_integer_value(json_array_get(sides, 0))] &&
-            told[json_integer_value(json_array_get(sides, last))])
+        json_array_foreach(sides, m, side) of_told += told[json_integer_value(side)] != 0;
+        if (of_told > 0 && (alone || of_told == json_array_size(sides)))
             return 0;
         const json_t *rows = json_object_get(step, "left"), *row;
-        size_t m;
         json_array_foreach(rows, m, row) if (told[json_integer_value(row)]) return 0;
     }
     return json_array_size(steps) > 0;
@@ -90,6 +90,12 @@ static const char *file_name(const struct certifying *c, const char *name)
         break;
     }
     return text;
+}
+
+static void drop_cases(struct cases *c)
+{
+    json_decref(c->list);
+    json_decref(c->listed);
 }
 
 /* "\sum_i B_i = 1; every $n = 1$ to $12$", or the numbers for which it fails. */
@@ -135,8 +141,39 @@ int certify_formula(struct certifying *c, const struct document *d, const struct
         bad = certify_statement(c, &one);
     } else {
         *name = NULL;
-        json_decref(all.list);
-        json_decref(all.listed);
+        drop_cases(&all);
+    }
+    free(text);
+    return bad;
+}
+
+int certify_values(struct certifying *c, const struct formula *s, const cagd_found *f, const char **name)
+{
+    struct cases all = {"field", json_array(), json_array(), 0};
+    char *text = NULL; /* the texts of what was found are in an older field */
+    size_t room;
+    FILE *out = text_open(&text, &room);
+    fprintf(out, "%s holds for %s, and for no other", s->printed, values_of(s, f));
+    text_close(out, &text);
+    *name = file_name(c, s->name);
+    if (*name == NULL)
+        abort();
+    int bad = 0;
+    if (f->known && cagd_certify_found(&s->scope, s->tree, s->find, s->seconds, take, &all)) {
+        struct certified one = {.name = *name,
+                                .printed = text,
+                                .kind = "decision",
+                                .outcome = "holds",
+                                .evidence = "decided",
+                                .cases = all.list,
+                                .listed = all.listed,
+                                .compared = all.compared,
+                                .number = (json_int_t)json_array_size(all.list),
+                                .type = all.type};
+        bad = certify_statement(c, &one);
+    } else {
+        *name = NULL;
+        drop_cases(&all);
     }
     free(text);
     return bad;

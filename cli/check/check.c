@@ -108,9 +108,17 @@ static int find_one(const struct document *d, const struct formula *s, struct re
     if (found == NULL)
         return 0;
     cagd_find(&s->scope, s->tree, s->find, 1, s->seconds, found);
-    put_entry(to, found_json(s, found), s->name, start, found->known ? NULL : "undecided, expected its values");
+    json_t *entry = found_json(s, found);
     if (to->list == NULL)
         print_found_page(d, s, found);
+    if (to->certificates != NULL && *to->code == EXIT_AS_EXPECTED) {
+        const char *name;
+        if (certify_values(to->certificates, s, found, &name) != 0)
+            *to->code = EXIT_INTERNAL;
+        to->certified += name != NULL;
+        json_object_set_new(entry, "certificate", name != NULL ? json_string(name) : json_null());
+    }
+    put_entry(to, entry, s->name, start, found->known ? NULL : "undecided, expected its values");
     return found->known;
 }
 

@@ -53,11 +53,30 @@ static const char *digits_of(const struct cagd_root *r)
     return append("", "%.*s\\dots", length > 3 && length < 60 ? length - 3 : length, digits);
 }
 
+/* In whole numbers without a common divisor, as it is written: "24 x^{10} - x^{9} + 3". */
+static const char *polynomial_text(poly of)
+{
+    poly p = cagd_poly_primitive(of);
+    const char *text = "";
+    for (int k = cagd_poly_degree(p); k >= 0; k--) {
+        num_q c = cagd_poly_coefficient(p, k);
+        int minus = cagd_sign_q(c) < 0, first = text[0] == '\0';
+        const char *size = to_string_q(minus ? neg_q(c) : c);
+        if (cagd_is_zero_q(c))
+            continue;
+        text = append(text, "%s", first ? (minus ? "-" : "") : minus ? " - " : " + ");
+        if (k == 0 || strcmp(size, "1") != 0)
+            text = append(text, "%s%s", size, k > 0 ? "\\," : "");
+        text = k > 1 ? append(text, "x^{%d}", k) : append(text, "%s", k == 1 ? "x" : "");
+    }
+    return text;
+}
+
 /* "$1.41\dots$ is the root of $x^2 - 2$ between $1$ and $2$." */
 static const char *root_text(const struct cagd_root *r)
 {
-    return append("", "$%s$ is the root of $%s$ between $%s$ and $%s$.", digits_of(r),
-                  cagd_poly_to_string(r->factor, "x"), to_string_q(r->lo), to_string_q(r->hi));
+    return append("", "$%s$ is the root of $%s$ between $%s$ and $%s$.", digits_of(r), polynomial_text(r->factor),
+                  to_string_q(r->lo), to_string_q(r->hi));
 }
 
 const char *value_text(const cagd_given *g) { return g->root != NULL ? digits_of(g->root) : to_string_q(g->value); }
@@ -418,7 +437,7 @@ static json_t *given_json(const cagd_given *g)
     json_t *j = json_pack("{s:s, s:s}", "name", g->name, "value", digits != NULL ? digits : to_string_q(g->value));
     if (g->root != NULL)
         json_object_set_new(j, "root",
-                            json_pack("{s:s, s:[s, s]}", "of", cagd_poly_to_string(g->root->factor, "x"), "between",
+                            json_pack("{s:s, s:[s, s]}", "of", polynomial_text(g->root->factor), "between",
                                       to_string_q(g->root->lo), to_string_q(g->root->hi)));
     free(digits);
     return j;
@@ -559,14 +578,15 @@ const char *values_of(const struct formula *s, const cagd_found *f)
     return count > 0 ? text : append("", "no $%s$", s->find);
 }
 
+static int changes_at(const cagd_cells *c, int k) { return c->cell[k] != c->cell[k + 1] || c->at[k] != c->cell[k]; }
+
 /* Where an end is a root, of what; and what is not decided. */
 static void print_roots(const struct formula *s, const cagd_found *f)
 {
     const cagd_cells *c = &f->cells;
     for (int k = 0; k < c->count; k++) {
         const struct cagd_root *r = &c->root[k];
-        int changes = c->cell[k] != c->cell[k + 1] || c->at[k] != c->cell[k];
-        if (changes && !is_number(r))
+        if (changes_at(c, k) && !is_number(r))
             paragraph(root_text(r), 1);
         if (c->at[k] == CAGD_UNDECIDED)
             paragraph(append("", "For $%s = %s$ itself it is not decided.", s->find, end_text(r)), 1);
@@ -622,9 +642,20 @@ json_t *found_json(const struct formula *s, const cagd_found *f)
             json_object_set_new(one, f->name_of_witness[k], json_string(to_string_q(f->cells.witness[k])));
         json_array_append_new(fails, one);
     }
+    json_t *roots = json_array();
+    for (int k = 0; f->known && k < f->cells.count; k++) {
+        const struct cagd_root *r = &f->cells.root[k];
+        if (is_number(r) || !changes_at(&f->cells, k))
+            continue;
+        char *digits = tex_to_text(digits_of(r), 0);
+        json_array_append_new(roots,
+                              json_pack("{s:s, s:s, s:[s,s]}", "value", digits, "polynomial_tex",
+                                        polynomial_text(r->factor), "between", to_string_q(r->lo), to_string_q(r->hi)));
+        free(digits);
+    }
     char *values = tex_to_text(f->known ? values_of(s, f) : "", 1);
-    json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:I, s:o}", "name", s->name, "line", s->line, "printed_tex",
-                          s->printed, "verdict", f->known ? "found" : "undecided", "find", s->find, "values", values,
+    json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:o, s:I, s:o}", "name", s->name, "line", s->line, "printed_tex",
+                          s->printed, "verdict", f->known ? "found" : "undecided", "find", s->find, "values", values, "roots", roots,
                           "cases", (json_int_t)f->cases, "fails_for", fails);
     free(values);
     if (!f->known)

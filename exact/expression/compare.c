@@ -6,6 +6,7 @@
 #include "exact/expression/radical.h"
 #include "exact/expression/refute.h"
 #include "exact/expression/tie.h"
+#include "exact/record/trace.h"
 #include "exact/words.h"
 
 /* Whether n/m > 0 in the box wherever m is not 0, n and m having no factor in common. */
@@ -82,9 +83,12 @@ static int is_zero_with_squares(cagd_context *c, num_f d)
 static cagd_answer compared_in_box(cagd_run *r, cagd_context *c, const cagd_tree *t, int k, cagd_value a, cagd_value b)
 {
     cagd_relation relation = t->relation[k];
-    cagd_value d = cagd_at_roots(c, relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL ? cagd_value_sub(b, a)
-                                                                                            : cagd_value_sub(a, b));
-    int names = 0;
+    int less = relation == CAGD_LESS || relation == CAGD_LESS_OR_EQUAL, names = 0;
+    if (r->into != NULL)
+        cagd_trace_resume(); /* the difference belongs to the certificate of what is found */
+    cagd_value d = cagd_at_roots(c, less ? cagd_value_sub(b, a) : cagd_value_sub(a, b));
+    if (r->into != NULL)
+        cagd_trace_pause();
     if (region_faults != 0)
         return CAGD_UNDECIDED;
     if (r->into != NULL)

@@ -22,6 +22,12 @@ typedef struct cagd_found {
 void cagd_find(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, int poles, double seconds,
                cagd_found *out);
 
+/* The same with poles, once more, noted as exact/record/trace.h has it: the relations of all cases, the numbers that cut the domain, and what
+ * holds in each cell and for each number.  1; 0 where that does not say it all: alternatives, ends of angles, cases that were cut into parts,
+ * values whose making is not noted. */
+int cagd_certify_found(const cagd_scope *scope, const cagd_tree *statement, const char *parameter, double seconds,
+                       cagd_take_case *take, void *data);
+
 /* The relation a >= b, a > b, a = b, or a \ne b as a constraint of the parameter, d being a - b; HOLDS if that is all it says. */
 cagd_answer cagd_collected(cagd_run *r, cagd_context *c, cagd_relation relation, cagd_value d);
 /* The alternative t of relations of two sides (clauses.h) as a clause of constraints.  Where it is not defined it is not true, but for alternatives of which another

@@ -185,6 +185,13 @@ void cagd_poly_from_field(num_f a, num_f variable, poly *numerator, poly *denomi
 
 /* Yun: with c = gcd(p, p'), w = p/c is the product of all factors, and w divides out one
  * multiplicity after the other. */
+poly cagd_poly_primitive(poly p)
+{
+    struct cagd_polynomial *r = fresh();
+    fmpq_poly_primitive_part(r->x, p.at->x);
+    return (poly){r};
+}
+
 int cagd_poly_squarefree(poly p, poly factor[], int multiplicity[])
 {
     if (cagd_poly_degree(p) < 0) {

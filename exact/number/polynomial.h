@@ -47,6 +47,9 @@ cagd_poly cagd_poly_gcd(cagd_poly p, cagd_poly q); /* the monic one; 0 for p = q
  * Source: yun-1976. */
 int cagd_poly_squarefree(cagd_poly p, cagd_poly factor[], int multiplicity[]);
 
+/* The multiple of p whose coefficients are whole numbers without a common divisor, the leading one positive; 0 for p = 0. */
+cagd_poly cagd_poly_primitive(cagd_poly p);
+
 /* out[0..n] with p(a + (b - a) t) = sum out[i] B_i^n(t).  UNDEFINED when n < deg p. */
 void cagd_poly_to_bernstein(cagd_poly p, int n, cagd_num_q a, cagd_num_q b, cagd_num_q out[]);
 

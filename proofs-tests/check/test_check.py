@@ -923,6 +923,77 @@ class Certificates(unittest.TestCase):
             self.write_inequalities(folder)
             self.refuse_all(pathlib.Path(folder), 0, changes)
 
+    RANGES = [("(1-t)^2 (1 - u t) + u t^2 \\ge 0", "0 \\le t \\le 1"), ("u + t > 0", "0 < t \\le 1, u \\le 5"), ("(u^2 - 2)(t + 1) = 0", "0 \\le t"),
+              ("t u \\ne 1", "0 < t < 1, -1 < u \\le 3"), ("\\frac{t^2 + 1}{u} \\ge 0", "0 \\le t \\le 1"), ("u^2 t^2 - 2 > 0", "t \\ge 1"), ("t^2 - 2 u t + 1 > 0, u \\ge 1/2", "0 \\le t")]
+
+    def write_ranges(self, folder, ranges):
+        text = "".join(f":::{{statement}} s{k}\n:printed: {printed}\n:for: {bounds}\n:find: u\n:::\n" for k, (printed, bounds) in enumerate(ranges))
+        return json.loads(check(":::{let}\nt, u \\in \\mathbb{R}\n:::\n" + text, "--json", "--certificates", folder).stdout)["statements"]
+
+    def test_values_of_a_parameter(self):
+        with tempfile.TemporaryDirectory() as folder:
+            found = self.write_ranges(folder, self.RANGES)
+            self.assertEqual([s["values"] for s in found], ["0 ≤ u ≤ 7.103230…", "0 ≤ u ≤ 5", "u = −1.414213… and u = 1.414213…", "−1 < u ≤ 1", "u > 0", "u < −1.414213… and u > 1.414213…",
+                                                            "1/2 ≤ u < 1"])
+            self.assertEqual(found[0]["roots"], [{"value": "7.103230…", "polynomial_tex": "5\\,x^{3} - 36\\,x^{2} + 4\\,x - 4", "between": ["4", "8"]}])
+            self.assertTrue(all(s["certificate"] for s in found))
+            code, out = self.recheck(folder)
+            self.assertEqual(code, 0, out)
+            self.assertIn(f"{len(found)} of {len(found)} conditions about facts evaluated", out)
+
+    def test_values_of_a_parameter_with_one_fault(self):
+        def put(field, place, value):
+            return lambda f, nodes: f[field].__setitem__(place, value)
+
+        def number(field, place, value):
+            def act(f, nodes):
+                nodes.append(["c", value])
+                f[field][place] = len(nodes) - 1
+            return act
+
+        def drop(f, nodes):
+            f["open"] = f["open"][2:]
+            for field in ("of", "numerator", "denominator", "relation", "other", "low", "high"):
+                f[field].pop(0)
+        with tempfile.TemporaryDirectory() as folder:
+            self.write_ranges(folder, self.RANGES)
+            facts = [json.loads((pathlib.Path(folder) / f"claims/s{k}.json").read_text())["cases"][0]["steps"][0] for k in range(len(self.RANGES))]
+            changes = [(k, put("holds", m, other)) for k, f in enumerate(facts) for m, is_one in enumerate(f["holds"]) for other in (-1, 0, 1) if other != is_one and is_one >= 0]
+            changes += [(0, put("relation", 0, 3)), (0, number("high", 0, "1/10")), (0, number("low", 0, "1/2")), (0, number("high", 0, "-1")), (0, number("roots", 2, "3")), (0, number("between", 2, "9")),
+                        (0, number("between", 3, "5")), (0, put("other", 0, -1)), (0, put("denominator", 0, facts[0]["numerator"][0])), (0, put("of", 0, facts[0]["parameter"][0])),
+                        (0, number("numerator", 0, "1")), (0, lambda f, nodes: f["terms"].__setitem__(slice(None), [f["terms"][0] + f["terms"][1]])), (0, lambda f, nodes: f["holds"].pop()),
+                        (1, put("open", 0, 0)), (1, put("relation", 0, 4)), (1, number("domain", 1, "-1")), (1, number("domain", 0, "1")), (2, put("relation", 0, 1)), (2, put("relation", 0, 4)), (3, put("open", 1, 0)),
+                        (3, put("relation", 0, 2)), (4, put("relation", 0, 0)), (5, put("relation", 0, 1)), (5, number("low", 0, "1/2")),
+                        (5, lambda f, nodes: f.update(between=f["between"][2:] + f["between"][:2])), (6, drop), (6, put("relation", 1, 3)), (6, lambda f, nodes: f.update(parameter=[f["other"][0]]))]
+            self.refuse_all(pathlib.Path(folder), 0, changes)
+
+    def test_values_of_a_parameter_that_are_drawn(self):
+        """Two decompositions that share nothing: all that one finds, ends that are roots included, the other finds as well."""
+        random = __import__("random").Random(31)
+
+        def polynomial(of_t, of_u):
+            return " ".join(f"{random.choice((-3, -2, -1, 1, 1, 2, 3, 5)):+d} t^{i} u^{j}" for i in range(of_t + 1) for j in range(of_u + 1) if random.random() < 0.6) or "0"
+
+        def bounds(name, lows, highs):
+            low, high = random.choice(lows), random.choice(highs)
+            relation = lambda: random.choice(("<", "\\le"))
+            return (f"{low} {relation()} " if low else "") + name + (f" {relation()} {high}" if high else "") if low or high else "1 = 1"
+        drawn = []
+        for _ in range(40):
+            left = polynomial(random.randint(0, 3), random.randint(0, 2))
+            if random.random() < 0.3:
+                left = f"({left})({polynomial(1, 1)})^{random.choice((1, 2))}"
+            if random.random() < 0.2:
+                left = f"\\frac{{{left}}}{{{polynomial(1, 1)}}}" if random.random() < 0.5 else f"{left} + \\frac{{t}}{{u}}"
+            relation = random.choice(("\\ge", "\\le", ">", "<", "\\ne", "="))
+            drawn.append((f"{left} {relation} {random.choice(('0', '0', polynomial(1, 1)))}", bounds("t", ("0", "-1", "1/2", ""), ("1", "2", "")) + ", " + bounds("u", ("-2", "", ""), ("3", "", ""))))
+        drawn = [(printed, ranges.replace(", 1 = 1", "").replace("1 = 1, ", "")) for printed, ranges in drawn if ranges != "1 = 1, 1 = 1"]
+        with tempfile.TemporaryDirectory() as folder:
+            found = self.write_ranges(folder, drawn)
+            self.assertGreaterEqual(sum(s.get("certificate") is not None for s in found), 30)
+            code, out = self.recheck(folder)
+            self.assertEqual(code, 0, out)
+
     def refuse_all(self, folder, case, changes):
         """Each change of the first fact of a case of claim s0, s1, ... is wrong, when the manifest was made to fit."""
         listed = (folder / "manifest.json").read_text()
