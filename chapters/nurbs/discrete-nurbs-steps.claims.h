@@ -246,8 +246,8 @@ Insert one knot often enough and a new point is the point of the curve.
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise $w(t')$, which is the weight of $r_\mu$, may be $0$
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
   limit of the curve from the left
-:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=0$, and there is no
-  $r_0$
+:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: for $t_1=t_k$ it is $\mu=0$, and there is no
+  $r_0$; for $t_1<t_k$ the point $r_\mu$ has no share in the curve
 :reading: right_value_with_the_other_interval | with $t'\in[t_\mu,t_{\mu+1})$, the intervals of algorithm 4.1.1: for every
   multiplicity $0,\dots,k$ and at a $k$-fold $t_k$, where the value is the limit from the right; the end $t_{n+1}$ is then not included
 :reading: fewer_insertions_suffice | if more than $k$ equal knots are not allowed: a knot of multiplicity $m$ is inserted $k-1-m$
