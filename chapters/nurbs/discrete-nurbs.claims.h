@@ -185,7 +185,7 @@ static int indices_are_the_order(trial *T)
 :title: Three names have another index than the order
 :zh: 三处记号的下标不是阶数
 :kind: counterexample
-:given: the indices, in these three places, of what is called $\Gamma_k^{(T)}$ everywhere else in these sections, and $r_k$ wherever the name of the curve has an index
+:given: the indices, in these three places, of what is called $\Gamma_k^{(T)}$ everywhere else in these sections, and $r_k$ wherever else the name of the curve has an index
 :data: index in 4.1 = "ι"; index in lemma 4.2.1 = "none"; index in lemma 4.2.2 = "t"
 :instead: index in 4.1 = "k"; index in lemma 4.2.1 = "k"; index in lemma 4.2.2 = "k"
 :then: none of the three is $k$
@@ -235,7 +235,7 @@ which the later proof answers in another way than the definition of the $\alpha$
 :reading: clamped_end_may_be_inserted_again | with the same $\alpha_i$ a $k$-fold right end may be inserted, which repeats $r_n$
 :figure: nurbs_polygons_converge
 
-With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones.
+With positive weights and $T'$ in the domain, without a $k$-fold $t_{n+1}$, all new weights lie between the least and the greatest of the old ones.
 :::
 */
 
