@@ -562,7 +562,7 @@ CLAIM(convex_quartic_of_span_has_second_envelope)
     G(given_curve_of_powers)(T, 4, 2, u, R, w);
     int convex = G(turns_left_on_span)(4, u, 4, R);
     found_whole(T, "r' × r'' is positive on the span", convex);
-    if (!G(pair_of_the_envelope)(T, 4, 2, u, 4, R, w, 2, tau, t, X) || !convex)
+    if (!G(pair_in_the_square)(T, 4, 2, u, 4, R, w, 2, tau, t, X) || !convex)
         return;
     G(curve_derivatives)(4, 2, u, 4, R, w, X[0], 0, at); /* x(t) = t */
     found_points(T, "point of the curve with its abscissa", 1, 2, at);
@@ -621,7 +621,7 @@ CLAIM(twisted_sextic_has_second_envelope)
     found_text(T, "y''", poly_to_string(f[1][2], "t"));
     found_text(T, "z''", poly_to_string(f[2][2], "t"));
     found_text(T, "(r', r'', r''')", poly_to_string(torsion, "t"));
-    if (!G(pair_of_the_envelope)(T, 6, 3, u, 6, R, w, r, tau, t, X) || !curved || !twisted)
+    if (!G(pair_in_the_square)(T, 6, 3, u, 6, R, w, r, tau, t, X) || !curved || !twisted)
         return;
     G(curve_derivatives)(6, 3, u, 6, R, w, X[0], 0, at); /* x(t) = t */
     found_points(T, "point of the curve with its x", 1, 3, at);
@@ -662,7 +662,7 @@ CLAIM(solution_over_the_whole_span)
             places[satisfied++] = place;
     }
     found_points(T, "the condition is satisfied at t", satisfied, 1, places);
-    if (!G(pair_of_the_envelope)(T, 5, 2, u, 5, R, w, r, mul(c, t), t, X) || satisfied < PLACES)
+    if (!G(pair_in_the_square)(T, 5, 2, u, 5, R, w, r, mul(c, t), t, X) || satisfied < PLACES)
         return;
     about(T, "y and x³ of the point");
     same(T, X[1], mul(X[0], mul(X[0], X[0])));

@@ -215,6 +215,20 @@ static inline int G(pair_of_the_envelope)(trial *T, int p, int dim, const num u[
     return is_zero_q(turn[0]) && is_zero_q(turn[1]) && is_zero_q(turn[2]);
 }
 
+/* Are t and tau in the span mu, which is closed on the left and open on the right? */
+static inline int G(is_pair_of_span)(const num u[], int mu, num t, num tau)
+{
+    return compare_q(u[mu], t) <= 0 && compare_q(t, u[mu + 1]) < 0 && compare_q(u[mu], tau) <= 0 &&
+           compare_q(tau, u[mu + 1]) < 0;
+}
+
+/* The same of a pair that has to be in the square of the span. */
+static inline int G(pair_in_the_square)(trial *T, int p, int dim, const num u[], int mu, const num R[], const num w[],
+                                        int r, num tau, num t, num X[])
+{
+    return G(pair_of_the_envelope)(T, p, dim, u, mu, R, w, r, tau, t, X) && G(is_pair_of_span)(u, mu, t, tau);
+}
+
 /* place[i] is the number of the distinct knot that u_i is, as in a pattern. */
 static inline void G(places_of)(int count, const num u[], int place[])
 {
