@@ -748,36 +748,20 @@ has an inflection; made a vertex, the point is between two edges on the line.
   it, before and after
 :result: new points = (0,1) (1,0) (3/2,0) (3/2,0) (2,0) (3,-1); points of the curve on the line = 1; intersections of the polygon, edges
   on the line left out = 0; intersections of the new polygon = 0
-:method: Common points that are on no edge on the line; the curve by counting roots.
-:control: such edges, with what is joined to them, counted as one intersection
+:method: Runs of common points, less the one that has edges; the curve by counting roots.
+:control: this run counted as one intersection
 :::
 */
-/* The common points of polygon and axis, a piece on the line counted once, or those alone that are on no edge on the line. */
-static int intersections_of(const struct graph *g, int edges_count)
-{
-    int found = 0;
-    for (int i = 1, from = 0; i <= g->n; i++) {
-        int side = sign_q(g->r[2 * i + 1]), next = i < g->n ? sign_q(g->r[2 * i + 3]) : 1;
-        found += i < g->n && side * next < 0;
-        if (side != 0)
-            continue;
-        from = from > 0 ? from : i; /* vertices from, ..., i are on the axis */
-        if (next == 0)
-            continue;
-        found += edges_count || equal_q(g->r[2 * from], g->r[2 * i]);
-        from = 0;
-    }
-    return found;
-}
-
 CLAIM(crossing_becomes_a_vertex_between_edges)
 {
     struct graph g = given_graph(T), cut = g;
     num t = given(T, "t'");
-    int edges_count = fault(T, 1, 0), curve = curve_of(&g).common;
     for (int times = 1; times < g.k; times++)
         cut = with_knot(&cut, t);
-    int old = intersections_of(&g, edges_count), new = intersections_of(&cut, edges_count);
+    struct cagd_polygon_meets_line before = polygon_of_graph(&g), after = polygon_of_graph(&cut);
+    int curve = curve_of(&g).common; /* the edges on the line follow one another: they are one run of common points */
+    int old = before.common_runs - fault(T, 0, before.contained_edges > 0);
+    int new = after.common_runs - fault(T, 0, after.contained_edges > 0);
     found_points(T, "new points", cut.n, 2, cut.r + 2);
     found_whole(T, "points of the curve on the line", curve);
     found_whole(T, "intersections of the polygon, edges on the line left out", old);
