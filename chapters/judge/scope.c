@@ -460,13 +460,26 @@ static int has_definite_phrase(const phrases *list, const char *noun)
     return 0;
 }
 
-/* Whether a phrase says already for which values of it. */
+/* Whether another claim has some of them only: "equal weights" of the weights. */
+static int has_narrower_noun(const scope *s, const char *noun)
+{
+    static const char narrower[] = "equal ";
+    for (int k = 0; k < s->kinds; k++) {
+        const char *other = s->data[k].noun;
+        if (other != NULL && strncmp(other, narrower, strlen(narrower)) == 0 &&
+            strcmp(other + strlen(narrower), noun) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether a phrase or another noun says already for which values of it. */
 static int is_told(const scope *s, const quantity *q)
 {
     if (q->noun == NULL)
         return 0;
     if (q->many)
-        return has_definite_phrase(&s->said, q->noun);
+        return has_definite_phrase(&s->said, q->noun) || has_narrower_noun(s, q->noun);
     return has_relation_of(&s->said, q->noun) || has_relation_of(&s->where, q->noun);
 }
 

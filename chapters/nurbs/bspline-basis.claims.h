@@ -14,7 +14,7 @@ Which knots coincide is enumerated by a program, `patterns.h`, in this section a
 degree $p\le3$ means all $4^{p-1}$ patterns of the $p$ knots on either side of an interval; for larger $p$ it means simple
 knots, clamped ends, and each multiplicity of one end against the complementary one of the other.  *Several segments* means an
 inner knot of every multiplicity $0,\dots,p+1$ between ends that are simple, clamped, or clamped and double, and for $p\le2$
-all patterns of $2p+3$ knots as well; where it is said that two knots are $0$ and $1$, the simple and the clamped ends.  The field meets all of them; where numbers are random, so is a selection of the
+all patterns of $2p+3$ knots with a domain and none more than $(p+1)$-fold as well; where it is said that two knots are $0$ and $1$, the simple and the clamped ends.  The field meets all of them; where numbers are random, so is a selection of the
 patterns.
 */
 #include "chapters/nurbs/definition.h"
@@ -35,7 +35,7 @@ sections rest on it.
 :then: `bspline_basis` gives $N_{\mu-p,p}(t),\dots,N_{\mu,p}(t)$, and $N_{i,p}=0$ on the span for every other $i$
 :method: The kernel against the recursion of de Boor and Cox by its letter, for each index $i$ of the knot vector.
 :degrees: 0..6 sampled 7
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :defines: bspline_basis_level bspline_basis
 :control: the span of the interval replaced by its neighbour on the left or, in the first interval, on the right
@@ -112,7 +112,7 @@ CLAIM(bspline_is_divided_difference)
 :method: All $n$ polynomials of the interval, from the recursion by its letter, are added; the sum must have the coefficients
   $1,0,\dots,0$.
 :degrees: 0..6 sampled 9
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :control: the first B-spline of the span left out
 :::
@@ -346,7 +346,7 @@ one jumps.  The jump is known exactly, and it is never $0$.
   $(-1)^{p-m}\frac{p!}{(m-1)!}\,(u_{i+p+1}-u_i)\big/\prod_{u_l\ne\xi}(\xi-u_l)\ne0$
 :method: The polynomials of both intervals in powers of $t-\xi$, from the recursion by its letter.
 :degrees: 0..6 sampled 7
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :control: the jump asked for one order lower
 :::
@@ -482,7 +482,7 @@ as the control polygon of a function, and what the section on convergence compar
 :method: The coefficients of the sum in powers of $t-u_\mu$, from the recursion by its letter, must be $u_\mu,1,0,\dots,0$.
   As the B-splines are independent no other numbers have this property.
 :degrees: 1..6 sampled 9
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :defines: bspline_greville
 :control: the abscissae of the next points

@@ -122,18 +122,24 @@ static inline void counted_ways(int p, int dim, struct counted_way way[3], long 
     }
 }
 
-/* The operations that the coefficient matrix of degree p < counted_points takes: by the recursion, and by Marsden's identity. */
-static inline void counted_matrices(int p, long cost[2])
+/* The operations that the coefficient matrix of degree p < counted_points takes: by the recursion, by Marsden's identity, and by
+ * divided differences over simple knots and over those of Bézier. */
+static inline void counted_matrices(int p, long cost[4])
 {
     num_n u[counted_knots], A[counted_points * counted_points];
-    for (int way = 0; way < 2; way++) {
+    int group[counted_knots];
+    for (int way = 0; way < 4; way++) {
         cost[way] = 0;
-        for (int i = 0; i < 2 * p + 2; i++)
+        for (int i = 0; i < 2 * p + 2; i++) {
             u[i] = (num_n){.steps = &cost[way]};
+            group[i] = way == 2 ? i : i > p;
+        }
         if (way == 0)
             bspline_matrix_n(p, u, p, A);
-        else
+        else if (way == 1)
             bspline_matrix_by_marsden_n(p, u, p, A);
+        else
+            bspline_matrix_by_differences_n(p, u, group, p, A);
     }
 }
 

@@ -33,8 +33,8 @@ The weights follow the same way, which the source does not print.
 /* Triples T, T_1, T_2. */
 static const char *const G(triples)[][16] = {
     {NULL},
-    {"2002", "0100", "0010", "212", "010", "010", "202", "100", "110", "1011", "0200", "0010", NULL},
-    {"3003", "0100", "0010", "303", "010", "010", "3103", "0100", "0010", "101111", "010000", "011010", "303", "100",
+    {"2002", "0100", "0010", "212", "010", "010", "202", "100", "110", "10111", "02000", "00110", NULL},
+    {"3003", "0100", "0010", "303", "010", "010", "3103", "0100", "0010", "1011111", "0100000", "0110110", "303", "100",
      "110", NULL},
     {"4004", "0100", "0010", "404", "020", "010", "4104", "0110", "0100", "2111111", "0200010", "0100010", NULL},
     {"50105", "01010", "00100", "4123", "0110", "0110", NULL},
@@ -243,11 +243,11 @@ Insert one knot often enough and a new point is the point of the curve.
 :printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
 :holds-by: repeated_insertion_reaches_the_curve
 :meant: the index $\mu$ of the vertex, and the proof of lemma 4.2.1 | The interval is $(t_\mu,t_{\mu+1}]$; for the letter $u$ see `thm-4.1.1-index`.
-:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
+:needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise $w(t')$, which is the weight of $r_\mu$, may be $0$
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
   limit of the curve from the left
-:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: there $\mu=0$, and there is no
-  $r_0$
+:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: for $t_1=t_k$ it is $\mu=0$, and there is no
+  $r_0$; for $t_1<t_k$ the point $r_\mu$ has no share in the curve
 :reading: right_value_with_the_other_interval | with $t'\in[t_\mu,t_{\mu+1})$, the intervals of algorithm 4.1.1: for every
   multiplicity $0,\dots,k$ and at a $k$-fold $t_k$, where the value is the limit from the right; the end $t_{n+1}$ is then not included
 :reading: fewer_insertions_suffice | if more than $k$ equal knots are not allowed: a knot of multiplicity $m$ is inserted $k-1-m$

@@ -27,6 +27,7 @@ begin with $\alpha_{i,1}(j)=1$ for $t_i\le t'_j<t_{i+1}$, $t'_j$ the knots of $T
   theorem 4.1.1 results, which describes the discrete structure of NURBS curves
 :checked-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
 :confirmed-by: nothing_inserted_changes_nothing
+:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a vertex may not exist
 :figure: nurbs_polygons_converge
 
 The index is $\iota$ for $k$, see `notation-order`.  Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
@@ -184,7 +185,7 @@ static int indices_are_the_order(trial *T)
 :title: Three names have another index than the order
 :zh: 三处记号的下标不是阶数
 :kind: counterexample
-:given: the indices, in these three places, of what is called $\Gamma_k^{(T)}$ and $r_k$ everywhere else in these sections
+:given: the indices, in these three places, of what is called $\Gamma_k^{(T)}$ everywhere else in these sections, and $r_k$ wherever else the name of the curve has an index
 :data: index in 4.1 = "ι"; index in lemma 4.2.1 = "none"; index in lemma 4.2.2 = "t"
 :instead: index in 4.1 = "k"; index in lemma 4.2.1 = "k"; index in lemma 4.2.2 = "k"
 :then: none of the three is $k$
@@ -234,7 +235,7 @@ which the later proof answers in another way than the definition of the $\alpha$
 :reading: clamped_end_may_be_inserted_again | with the same $\alpha_i$ a $k$-fold right end may be inserted, which repeats $r_n$
 :figure: nurbs_polygons_converge
 
-With positive weights and $T'$ in the domain all new weights lie between the least and the greatest of the old ones.
+With positive weights and $T'$ in the domain, without a $k$-fold $t_{n+1}$, all new weights lie between the least and the greatest of the old ones.
 :::
 */
 
@@ -418,10 +419,10 @@ CLAIM(knot_at_a_k_fold_end_has_no_shares)
 :title: A knot inserted at a single first or last knot makes a point without shares
 :zh: 在单重首末节点处嵌入节点所得顶点无意义
 :kind: counterexample
-:given: simple knots $T$ of a quadratic curve, weights $w$; $\tau_1$, the first knot, is inserted again, and then instead of it $\tau_2$, the
+:given: the knots $T$ of a quadratic segment, of which the first and the last are single, weights $w$; $\tau_1$, the first knot, is inserted again, and then instead of it $\tau_2$, the
   last; the first of the new points, and the last
-:data: T = 0 1 2 3 4 5; τ = 0 5; w = 1 1 1
-:instead: τ = 1/2 9/2
+:data: T = 0 1 1 2 2 3; τ = 0 3; w = 1 1 1
+:instead: τ = 1/2 5/2
 :then: all $\alpha_{i,3}(j)$ of these two points vanish, and so do their weights
 :result: w_1^(T,{τ_1}) = 0; w_4^(T,{τ_2}) = 0
 :method: (4.1.6) by its letter.

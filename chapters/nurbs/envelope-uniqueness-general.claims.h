@@ -204,6 +204,8 @@ CLAIM(general_condition_is_that_of_the_level_before)
   r^{[k-r]}(t,\tau)}{\partial t}=\mathbf 0$, $t_j\le t,\tau<t_{j+1}$, $j=k,k+1,\dots,n$
 :holds-by: touching_curve_satisfies_the_condition
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-r]}\ne0$; as for (4.3.9), which is $r=1$
+:hypothesis: member_of_an_inflection_is_a_solution | $\tau$ is not constant on the solution: otherwise it is one member, as for $r=k-2$ that of an
+  inflection
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each.
 :confirmed-by: envelope_condition_holds_on_the_diagonal first_level_condition_factors
 :figure: nurbs_envelope_square
@@ -224,6 +226,57 @@ CLAIM(general_condition_is_that_of_the_level_before)
 
 What the proof cites under this number is in `thm-4.3.3-alternatives`.
 :::
+*/
+
+#if RATIONAL
+/*
+For $r=1$ the solutions beside the diagonal are lines $t=t_0$, on which $\tau$ runs through the members.  For $r=k-2$ they are lines $\tau=\tau_0$:
+one member, all of it.
+
+:::{claim} member_of_an_inflection_is_a_solution
+:title: The member of an inflection satisfies the condition in all its points, and nothing else does about them
+:zh: 拐点处的族曲线整条满足条件,附近别无他解
+:kind: counterexample
+:given: the cubic $\sum a_mt^m$, which is $(t,t^3)$, as a segment over the uniform knots $t_i$, weights 1; $r=2=k-2$, the member $\tau$ of its
+  inflection, two of its parameters, $t$ and $t^*$, and other members $\sigma$
+:data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0) (1,0) (0,0) (0,1); t = 1/2; t* = -1/2; τ = 0; σ = -1/2 -1/4 1/4 3/4
+:instead: a = (0,0) (1,0) (0,1) (0,0)
+:then: (4.3.15) is satisfied on the whole member, where $\partial_tX\ne0$; at this $t$ it is not for any other member but that with $\tau=t$: so
+  the solution about the pair is the member itself, and no curve that passes from member to member is tangent to one there
+:result: r_i = (-3,-15) (-1,3) (1,-3) (3,15); point of the member = (1/6,0); its derivatives by t and τ = (1/3,0) (2/3,0); X_t × X_τ at t* =
+  0; X_t × X_σ = -1/3 -1/8 1/24 -1/8
+:method: $X$ is of degree 1 in $t$ and 2 in the parameter of the member.  So $X_t\times X_\tau$ is of degree 1 in $t$, and 0 for all $t$ if it is for
+  two; and at one $t$ of degree 3 in the parameter $\sigma$ of the member: it is a multiple of $(\sigma-\tau)(t-\sigma)$ if it is at four $\sigma$.
+:control: the parabola $(t,t^2)$, which has no inflection
+:::
+*/
+CLAIM(member_of_an_inflection_is_a_solution)
+{
+    enum { OTHERS = 4 };
+    num u[8], R[8], w[4], X[2], D[6], turn[OTHERS], sigma[OTHERS];
+    num t = given(T, "t"), there = given(T, "t*"), tau = given(T, "τ"), factor = from_int(0);
+    given_points(T, "σ", OTHERS, 1, sigma);
+    G(given_curve_of_powers)(T, 3, 2, u, R, w);
+    int satisfied = G(pair_in_the_square)(T, 3, 2, u, 3, R, w, 2, tau, t, X), others = 0;
+    G(family_derivatives)(3, 2, u, 3, R, w, 2, tau, there, D);
+    num once_more = G(cross2)(D + 2, D + 4);
+    satisfied &= is_zero_q(once_more) && G(is_pair_of_span)(u, 3, there, tau) && (!is_zero_q(D[2]) || !is_zero_q(D[3]));
+    for (int m = 0; m < OTHERS; m++) {
+        G(family_derivatives)(3, 2, u, 3, R, w, 2, sigma[m], t, D);
+        turn[m] = G(cross2)(D + 2, D + 4);
+        num quotient = div(turn[m], mul(sub(sigma[m], tau), sub(t, sigma[m])));
+        factor = m == 0 ? quotient : factor;
+        others |= is_zero_q(factor) || !equal_q(quotient, factor);
+    }
+    found(T, "X_t × X_τ at t*", once_more);
+    found_points(T, "X_t × X_σ", OTHERS, 1, turn);
+    about(T,
+          "a pair that satisfies the condition, X_t not being 0, is on a solution that passes from member to member");
+    refute(T, satisfied && !others);
+}
+#endif
+
+/*
 
 The source derives the step from one level to the next by comparing the weights of two parameters, index by index.
 The formulas are right; at multiple knots they contain terms $0/0$, which stand for B-splines that vanish on the span.
@@ -562,7 +615,7 @@ CLAIM(convex_quartic_of_span_has_second_envelope)
     G(given_curve_of_powers)(T, 4, 2, u, R, w);
     int convex = G(turns_left_on_span)(4, u, 4, R);
     found_whole(T, "r' × r'' is positive on the span", convex);
-    if (!G(pair_of_the_envelope)(T, 4, 2, u, 4, R, w, 2, tau, t, X) || !convex)
+    if (!G(pair_in_the_square)(T, 4, 2, u, 4, R, w, 2, tau, t, X) || !convex)
         return;
     G(curve_derivatives)(4, 2, u, 4, R, w, X[0], 0, at); /* x(t) = t */
     found_points(T, "point of the curve with its abscissa", 1, 2, at);
@@ -621,7 +674,7 @@ CLAIM(twisted_sextic_has_second_envelope)
     found_text(T, "y''", poly_to_string(f[1][2], "t"));
     found_text(T, "z''", poly_to_string(f[2][2], "t"));
     found_text(T, "(r', r'', r''')", poly_to_string(torsion, "t"));
-    if (!G(pair_of_the_envelope)(T, 6, 3, u, 6, R, w, r, tau, t, X) || !curved || !twisted)
+    if (!G(pair_in_the_square)(T, 6, 3, u, 6, R, w, r, tau, t, X) || !curved || !twisted)
         return;
     G(curve_derivatives)(6, 3, u, 6, R, w, X[0], 0, at); /* x(t) = t */
     found_points(T, "point of the curve with its x", 1, 3, at);
@@ -662,7 +715,7 @@ CLAIM(solution_over_the_whole_span)
             places[satisfied++] = place;
     }
     found_points(T, "the condition is satisfied at t", satisfied, 1, places);
-    if (!G(pair_of_the_envelope)(T, 5, 2, u, 5, R, w, r, mul(c, t), t, X) || satisfied < PLACES)
+    if (!G(pair_in_the_square)(T, 5, 2, u, 5, R, w, r, mul(c, t), t, X) || satisfied < PLACES)
         return;
     about(T, "y and x³ of the point");
     same(T, X[1], mul(X[0], mul(X[0], X[0])));

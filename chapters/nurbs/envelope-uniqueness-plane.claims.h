@@ -426,7 +426,7 @@ CLAIM(folded_line_has_another_solution)
     given_points(T, "t_i", 6, 1, u);
     given_points(T, "r_i", 3, 2, R);
     num tau = given(T, "τ"), t = given(T, "t");
-    if (!G(pair_of_the_envelope)(T, 2, 2, u, 2, R, w, 1, tau, t, X))
+    if (!G(pair_in_the_square)(T, 2, 2, u, 2, R, w, 1, tau, t, X))
         return;
     G(bspline_to_bezier)(G(on_span)(2, 2, u, 2, R), b);
     for (int i = 0; i < 3; i++)
@@ -480,7 +480,7 @@ CLAIM(inflected_cubic_has_second_envelope)
 {
     num u[8], R[8], w[4], X[2], t = given(T, "t"), tau = given(T, "τ");
     G(given_curve_of_powers)(T, 3, 2, u, R, w);
-    if (!G(pair_of_the_envelope)(T, 3, 2, u, 3, R, w, 1, tau, t, X))
+    if (!G(pair_in_the_square)(T, 3, 2, u, 3, R, w, 1, tau, t, X))
         return;
     about(T, "y - x³ at the point, and on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));
@@ -511,7 +511,7 @@ CLAIM(space_quartic_has_second_envelope)
             edge[3 * i + c] = sub(R[3 * (i + 1) + c], R[c]);
     num volume = G(det3)(edge, edge + 3, edge + 6);
     found(T, "six times the volume of the first four points", volume);
-    if (!G(pair_of_the_envelope)(T, 4, 3, u, 4, R, w, 1, tau, t, X) || is_zero_q(volume))
+    if (!G(pair_in_the_square)(T, 4, 3, u, 4, R, w, 1, tau, t, X) || is_zero_q(volume))
         return;
     about(T, "y - x³ at the point, and on the curve");
     vanishes(T, sub(X[1], mul(X[0], mul(X[0], X[0]))));

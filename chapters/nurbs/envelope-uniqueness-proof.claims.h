@@ -61,7 +61,7 @@ CLAIM(superscript_of_the_order_gives_another_product)
     int p = 6, k = p + 1, r = given_whole(T, "r"), level = fault(T, r - 1, k - (r - 1)); /* of the curve of order r-1 */
     num u[14], R[21], w[7], X[3], Rr[21], wr[7], D[9], S[4], t = given(T, "t"), tau = given(T, "τ");
     G(given_curve_of_powers)(T, p, 3, u, R, w);
-    if (!G(pair_of_the_envelope)(T, p, 3, u, p, R, w, r, tau, t, X))
+    if (!G(pair_in_the_square)(T, p, 3, u, p, R, w, r, tau, t, X))
         return;
     G(level_of_curve)(p, 3, u, p, R, w, level, tau, Rr, wr);
     G(curve_derivatives)(p - level, 3, u, p, Rr, wr, t, 2, D);

@@ -117,7 +117,7 @@ CLAIM(member_that_stands_still_is_not_touched)
 {
     num u[8], R[8], w[4], Rr[8], wr[4], D[6], E[6], X[2], t = given(T, "t"), tau = given(T, "τ");
     G(given_curve_of_powers)(T, 3, 2, u, R, w);
-    if (!G(pair_of_the_envelope)(T, 3, 2, u, 3, R, w, 1, tau, t, X))
+    if (!G(pair_in_the_square)(T, 3, 2, u, 3, R, w, 1, tau, t, X))
         return;
     G(family_derivatives)(3, 2, u, 3, R, w, 1, tau, t, D);
     G(level_of_curve)(3, 2, u, 3, R, w, 1, tau, Rr, wr);
@@ -534,7 +534,7 @@ multiplies by $w''$ what is to be shown to vanish, and for a polynomial curve $w
 :zh: 权相等时与 p'' 的数量积恒为零
 :kind: counterexample
 :given: the cubic curve of space $\sum a_mt^m$ as a segment over the uniform knots $t_i$, weights 1; $t$ and $\tau$; $A=\mathbf p+\frac{\tau-t}{k-1}\mathbf p'$
-:data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0,1) (1,0,0) (0,1,0) (0,0,1); t = 0; τ = 1
+:data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0,1) (1,0,0) (0,1,0) (0,0,1); t = 0; τ = 1/2
 :instead: a = (0,0,0) (1,0,0) (0,1,0) (0,0,1)
 :then: the scalar product of both sides with $p''$ is satisfied, and $(\tau-t)(r',A,p'')\ne0$
 :result: r_i = (-3,23/3,-14) (-1,-1/3,4) (1,-1/3,-2) (3,23/3,16); p, p', p'' = (0,0,1) (1,0,0) (0,2,0); left side
@@ -549,6 +549,8 @@ CLAIM(product_with_second_derivative_says_nothing)
     num u[8], R[12], w[4], D[9], A[3], left[3], right[3], zero = from_int(0);
     num t = given(T, "t"), tau = given(T, "τ"), e = sub(tau, t);
     G(given_curve_of_powers)(T, 3, 3, u, R, w);
+    if (!G(is_pair_of_span)(u, 3, t, tau))
+        return;
     G(curve_derivatives)(3, 3, u, 3, R, w, t, 2, D);
     for (int c = 0; c < 3; c++) /* A = p + (τ-t)/(k-1) p' */
         A[c] = add(D[c], mul(div(e, from_int(3)), D[3 + c]));

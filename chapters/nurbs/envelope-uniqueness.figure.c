@@ -63,10 +63,10 @@ FIGURE(product_that_says_nothing)
         svg_frame(s);
         if (k == 1)
             svg_implicit(s, triple_with_second, NULL, 81, SVG_RIGHT);
-        svg_mark(s, svg_at(0, 1), k == 0 ? SVG_WRONG : SVG_MUTED, SVG_USUAL);
+        svg_mark(s, (svg_point){q(0), from_ratio_q(1, 2)}, k == 0 ? SVG_WRONG : SVG_MUTED, SVG_USUAL);
     }
     svg_legend_area(s, SVG_WRONG, "where the first equation holds");
     svg_legend_line(s, SVG_RIGHT, "where the second one does");
-    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "the counterexample, $t=0$, $τ=1$");
+    svg_legend_mark(s, SVG_WRONG, SVG_USUAL, "the counterexample, $t=0$, $τ=1/2$");
     return s;
 }

@@ -197,6 +197,17 @@ static inline void G(given_curve_of_powers)(trial *T, int p, int dim, num u[], n
     found_points(T, "r_i", p + 1, dim, R);
 }
 
+/* Refutes for the given cubic of the plane that the two points of level 2 differ. */
+static inline void G(line_shrinks_to_a_point)(trial *T)
+{
+    num u[8], R[8], w[4], Rr[4 * 2], wr[4], tau = given(T, "τ");
+    G(given_curve_of_powers)(T, 3, 2, u, R, w);
+    G(level_of_curve)(3, 2, u, 3, R, w, 2, tau, Rr, wr);
+    found_points(T, "the two points of the member", 2, 2, Rr);
+    about(T, "the two points of the member differ");
+    refute(T, equal_q(Rr[0], Rr[2]) && equal_q(Rr[1], Rr[3]));
+}
+
 /* Does a pair (t, tau) of level r on the span mu satisfy the condition of the envelope?  Fills X with the point of the
  * member; among the results are X and its two derivatives, which are then parallel. */
 static inline int G(pair_of_the_envelope)(trial *T, int p, int dim, const num u[], int mu, const num R[], const num w[],
@@ -213,6 +224,20 @@ static inline int G(pair_of_the_envelope)(trial *T, int p, int dim, const num u[
     found_points(T, "its derivatives by t and τ", 2, dim, D + dim);
     G(cross3)(a, b, turn);
     return is_zero_q(turn[0]) && is_zero_q(turn[1]) && is_zero_q(turn[2]);
+}
+
+/* Are t and tau in the span mu, which is closed on the left and open on the right? */
+static inline int G(is_pair_of_span)(const num u[], int mu, num t, num tau)
+{
+    return compare_q(u[mu], t) <= 0 && compare_q(t, u[mu + 1]) < 0 && compare_q(u[mu], tau) <= 0 &&
+           compare_q(tau, u[mu + 1]) < 0;
+}
+
+/* The same of a pair that has to be in the square of the span. */
+static inline int G(pair_in_the_square)(trial *T, int p, int dim, const num u[], int mu, const num R[], const num w[],
+                                        int r, num tau, num t, num X[])
+{
+    return G(pair_of_the_envelope)(T, p, dim, u, mu, R, w, r, tau, t, X) && G(is_pair_of_span)(u, mu, t, tau);
 }
 
 /* place[i] is the number of the distinct knot that u_i is, as in a pattern. */

@@ -50,7 +50,7 @@ static void G(check_boehm_insertion_keeps_curve)(trial *T, int kind)
 :method: Both splines in powers of $t$ minus the knot on the left of each new interval, from the recursion of de Boor and Cox
   by its letter; $x$, knots and points are variables.
 :degrees: 0..4 sampled 8
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3
 :over: s: new knot
 :defines: bspline_insert
 :control: the last of the new points is replaced by its neighbour
@@ -92,7 +92,7 @@ $y$ in different spans and with different multiplicities, depending on which cam
 :then: inserting $x$ and then $y$ gives the points that inserting $y$ and then $x$ gives
 :method: Both by `bspline_insert`, everything a variable.
 :degrees: 0..6 sampled 8
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :harmless: with $x<y$ | also the same knot, and the other order is what is compared
 :over: r s q: new knot
@@ -142,7 +142,7 @@ curve. The triangle that arises is de Boor's: to evaluate and to insert a knot a
 :method: The kernel again and again, against `bspline_deboor_level`; in the end the point with the index of the last knot of the span in which $x$ was, minus $s$, against
   the sum of all B-splines from the recursion by its letter.
 :degrees: 1..6 sampled 8
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :harmless: $s\le p$ | a knot of multiplicity $p+1$ needs no insertion
 :over: s: new knot
@@ -202,7 +202,7 @@ weights.
   fractions with positive coefficients only, and the two of a new point sum to 1.
 :types: field rational
 :degrees: 1..6 sampled 8
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :over: x: -; a b: distance of the new knot from the ends of its interval
 :control: the coefficient of the point before
@@ -310,7 +310,7 @@ segment a point is computed, though neighbouring segments have different polar f
 :method: Both splines in powers, from the recursion by its letter; the points against those of `bspline_insert`; once with the
   first admissible span for every point, once with the last.
 :degrees: 0..4 sampled 8
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3
 :over: s r: new knot
 :defines: bspline_refine
 :control: one point computed with the knots of its neighbour

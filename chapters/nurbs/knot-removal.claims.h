@@ -56,7 +56,7 @@ that is left over there is the defect.
 :method: Insertion by `bspline_insert`, which keeps the curve by `boehm_insertion_keeps_curve`, then removal; everything a
   variable.
 :degrees: 0..4 sampled 8
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3
 :over: s: new knot
 :defines: bspline_remove
 :control: one of the points that removal solves for is moved before
@@ -100,7 +100,7 @@ the defect how far that one vertex moves.
   must vanish, and that one is compared with the defect.
 :types: field rational
 :degrees: 0..6 sampled 8
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :control: the defect with the other sign
 :::
@@ -150,7 +150,7 @@ defect, a combination of points, knows of it.
   jump and defect of that unit point, numbers of the knots, have coefficients of one sign only.
 :types: field rational
 :degrees: 0..4 sampled 8
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3
 :over: x: -
 :control: the jump of the next order, or for $s=1$ of the order before
 :::

@@ -6,6 +6,7 @@ there are vertices, the formula for the triangles holds for any three points of 
 all the same: the hulls must be those of a growing sequence of knots, and a limit of convex polygons need not be run through once.
 */
 #include "chapters/nurbs/convexity.h"
+#include "chapters/nurbs/discrete.h"
 
 #include <stdio.h>
 
@@ -38,9 +39,10 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :zh: 曲线上的点成为顶点
 :given: orders $k=2,\dots,6$, ends of multiplicity $k$ and a knot between of multiplicity $1,\dots,k-1$; two parameters $t'_1<t'_2$, each
   inserted $k-1$ times: both in one interval, in different ones, at the inner knot, at the right end
-:then: $r(t'_1)$ is the vertex number $\mu_1$ and $r(t'_2)$ the vertex number $\mu_2+k-1$, where $t'_l\in(t_{\mu_l},t_{\mu_l+1}]$
-:method: The printed insertions and the curve by its definition, knots, parameters and points variables; a coordinate of the
-  homogeneous points is any coordinate.
+:then: $r(t'_1)$ is the vertex number $\mu_1$ and $r(t'_2)$ the vertex number $\mu_2+k-1$, where $t'_l\in(t_{\mu_l},t_{\mu_l+1}]$; and so for
+  the points (4.1.6), if no parameter is the right end
+:method: The printed insertions, (4.1.6) by its letter, intervals closed on the left, and the curve by its definition, knots, parameters and points variables; a
+  coordinate of the homogeneous points is any coordinate.
 :degrees: k = 2..6 sampled 6
 :argued: every number of parameters | Later parameters leave the vertices of the earlier ones alone.
 :scope: clamped ends with one knot of every multiplicity below k between
@@ -77,8 +79,17 @@ CLAIM(inserted_parameters_become_vertices)
                     }
                 for (int j = 0; j < 2; j++) { /* the interval on the left of the parameter, or around it */
                     int mu = G(left_of)(&old, place[j]), interval = old.place[mu];
-                    same(T, d[mu + j * fault(T, k - 1, k - 2)],
-                         G(spline_value)(n, k - 1, 1, old.t + 1, old.place + 1, c + 1, 0, interval, tau[j]));
+                    int vertex = mu + j * fault(T, k - 1, k - 2);
+                    num value = G(spline_value)(n, k - 1, 1, old.t + 1, old.place + 1, c + 1, 0, interval, tau[j]);
+                    about(T, "the vertex by the printed insertions");
+                    same(T, d[vertex], value);
+                    num sum = from_int(0);
+                    for (int i = 1; i <= n && second < 4; i++)
+                        sum = add(sum, mul(c[i], G(alpha)(k - 1, old.t + 1, old.place + 1, K.t + 1, K.place + 1, i - 1,
+                                                          vertex - 1)));
+                    about(T, "the vertex (4.1.6)");
+                    if (second < 4)
+                        same(T, sum, value);
                 }
             }
     }
@@ -212,7 +223,7 @@ another.
 :zh: 凸包之交
 :printed: for the sequence of corollary 4.1.1, by lemma 4.2.1: $A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))$
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  steps_of_refinement_compose
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
@@ -232,7 +243,7 @@ another.
 :refuted-by: hulls_of_unrelated_knots_are_not_nested
 :corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$ decrease, for knots in $(t_1,t_{n+k})$ and a polygon that runs through its points once, or with the hulls for the $A$
 :corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  steps_of_refinement_compose
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it: the identities of one insertion have the
   knots as variables, and hold for equal ones, too, where they divide by no 0.
@@ -247,7 +258,7 @@ corollary 4.1.1 is that of the $T'_m$.
 :zh: 凸包的极限
 :printed: hence $A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))$ is a closed convex set, too
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  steps_of_refinement_compose
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
 :confirmed-by: inserted_polygons_stay_convex
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$

@@ -220,7 +220,7 @@ and is then this hull. So "smallest" hides a hypothesis, the same that is to be 
 :reading: curve_inside_its_hull_has_no_smallest_set | for a $\Gamma$ that need not be convex: there may be no such set
 :reading: convex_polygons_lie_on_the_border_of_their_hull | for a convex $\Gamma$: there is one, the convex hull of $\Gamma$
 :argued: every compact curve, and that no set is smaller | Let $\Gamma$ be compact and part of the boundary of a convex set $C$.  Every closed convex set that
-  contains $\Gamma$ contains its hull; the hull is closed; and a point of $\Gamma$ inside the hull would be inside $C$.  So the hull is the smallest such set, and the only one.
+  contains $\Gamma$ contains its hull; the hull is closed; and a point of $\Gamma$ inside the hull would be inside $C$.  So the hull is such a set, and every other one is larger.
 :figure: where_hypotheses_are_needed
 :::
 

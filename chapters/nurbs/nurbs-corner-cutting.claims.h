@@ -53,7 +53,7 @@ give the same curve, that their factors lie between $0$ and $1$, and for which k
 :title: The printed points, weights and knots give the same curve
 :zh: 所印嵌入公式不改变曲线
 :given: orders $k=1,\dots,6$ (sampled to $7$): all knots simple; both ends of multiplicity $k$ and one knot between, of any
-  multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or the knot at its right end
+  multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or any knot of the domain but $t_1$
 :let: $c_i$ any numbers, weights equal
 :then: $\sum_iN_{i,k}(t)c_i=\sum_iN'_{i,k}(t)c'_i$ on every interval of the domain, $c'_i=(1-\alpha_i)c_{i-1}+\alpha_ic_i$ with the
   printed $\alpha_i$
@@ -260,7 +260,7 @@ the corners are cut.
 :then: the determinants of three new homogeneous points are sums of those of three old ones with the $3\times3$ minors of the matrix of
   the insertion; no minor is negative
 :method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables; the minors by their coefficients.  Minors are polynomials in the
-  $\alpha_i$, so that $\alpha_i=0$ and $1$ are included as limits. With $n\ge5$ all cases of three rows occur.
+  $\alpha_i$, so that $\alpha_i=0$ and $1$ are included as limits. With $n=6$ all cases of three rows occur.
 :degrees: points = 3..6
 :argued: every number of points | The equation is the formula of Cauchy and Binet; three rows have entries in six columns at most,
   and which of these coincide is decided by whether neighbouring rows follow one another.
@@ -611,9 +611,9 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
   clamped_start_inserted_again_repeats_the_first_point
 :confirmed-by: inserted_polygons_stay_convex
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once
+:hypothesis: polygon_that_turns_back_loses_convexity | the polygon does not turn back
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | the end of the polygon does not run over its start: not turning back
-  is not enough
+  is not enough for running through its points once
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :argued: straight polygons, every order and every number of points | The triangles and the identities of one insertion are the same for every order and every
@@ -632,7 +632,7 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :kind: decision
 :given: seven convex polygons, among them a closed one, one with collinear and repeated vertices, one that turns by more than a half
   turn; orders $2,3,4$; simple knots, clamped ends, inner knots of multiplicity $k-1$; weights $1$, $1000$ and $1$ in turn,
-  $10^i$, and $\frac1{1000}$ inside; every knot after $t_1$ and every middle of an interval inserted $k$ times
+  $10^i$, and $\frac1{1000}$ inside; the multiples of $\frac12$ in the domain, $t_1$ left out, inserted $k$ times each, all knots of the domain among them
 :then: after each insertion the polygon is convex with the same orientation, and every new vertex is on its edge of the polygon before
 :method: The printed formulas in rationals, $\mu$ by comparing; convexity by `exact/decide/hull.h`; on the edge: no turn, and between the ends.
 :degrees: k = 2..4

@@ -154,6 +154,7 @@ CLAIM(divisors_contain_the_span)
 :zh: 递推的最后一点即曲线上的点
 :printed: r(t)=r_i^{[k-1]}(t)
 :holds-by: rational_triangle_gives_the_point
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise the recursion may stop before the point, though the curve has it
 :reading: rational_triangle_gives_the_point | $i$ is the only index that the level $k-1$ has, $i=j$
 :figure: deboor_triangle
 :::
@@ -167,7 +168,7 @@ CLAIM(divisors_contain_the_span)
 :method: The recursions by their letter, and the kernel, against the sums of all terms of (4.1.2).  Both sides are rational functions
   of $t$: at the right end of a closed interval the recursion gives the limit from the left.
 :degrees: 1..6 sampled 6
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :defines: nurbs_deboor
 :control: the point $r_{j-1}^{[k-2]}(t)$
@@ -262,6 +263,7 @@ CLAIM(other_interval_gives_other_point)
 :printed: De Boor's algorithm 2.4.1 for the values of B-splines can be extended to NURBS curves: algorithm 4.1.1 is for the curve (4.1.2), $t_k\le t\le t_{n+1}$, and any
   fixed $t$ of an interval half-open on the right, $k\le j\le n$
 :holds-by: rational_triangle_gives_the_point
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise the recursion may stop before the point, though the curve has it
 :meant: the intervals are printed | The parameters of the printed intervals.
 :reading: rational_triangle_gives_the_point | for the parameters of the printed intervals
 :reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
@@ -310,18 +312,37 @@ CLAIM(end_is_in_no_interval)
 :control: all weights positive
 :::
 */
-CLAIM(weight_of_a_level_may_vanish)
+/* Refutes for the given quadratic segment: if the last weight of the levels is not 0, then w_2^[1] is not 0. */
+static void weight_of_the_first_level(trial *T)
 {
-    num u[6], w[3];
-    given_points(T, "T", 6, 1, u);
-    given_points(T, "w", 3, 1, w);
-    num t = given(T, "t");
-    num level = G(printed_weight)(3, u, w, 1, 2, t), total = G(printed_weight)(3, u, w, 2, 3, t);
-    found(T, "w_2^[1](t)", level);
-    found(T, "w(t)", total);
+    num_q u[6], w[3];
+    given_points_q(T, "T", 6, 1, u);
+    given_points_q(T, "w", 3, 1, w);
+    num_q t = given_q(T, "t");
+    num_q level = printed_weight_q(3, u, w, 1, 2, t), total = printed_weight_q(3, u, w, 2, 3, t);
+    found_q(T, "w_2^[1](t)", level);
+    found_q(T, "w(t)", total);
     about(T, "if w(t) is not 0, then w_2^[1] is not 0");
     refute(T, sign_q(total) != 0 && sign_q(level) == 0);
 }
+
+CLAIM(weight_of_a_level_may_vanish) { weight_of_the_first_level(T); }
+
+/*
+:::{claim} weight_of_a_level_vanishes_outside_the_interval
+:title: Outside its interval the algorithm subtracts positive weights
+:zh: 参数在区间之外时各层权因子可相消为零
+:kind: counterexample
+:given: the knots $T$ of one quadratic segment, positive weights $w$, and $t$ outside its interval
+:data: T = 0 0 0 1 1 1; w = 2 1 1; t = 2
+:instead: t = 1/2
+:then: $w_2^{[1]}(t)=(1-t)w_1+t\,w_2$ is a difference and vanishes, while the polynomial $w$ of the segment does not vanish at $t$
+:result: w_2^[1](t) = 0; w(t) = 2
+:method: The weights of the levels by the recursion.
+:control: $t$ inside the interval
+:::
+*/
+CLAIM(weight_of_a_level_vanishes_outside_the_interval) { weight_of_the_first_level(T); }
 #endif
 
 /*

@@ -55,34 +55,74 @@ mean.
   weight
 :method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
 :degrees: 1..6 sampled 6
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :over: s: ratio in which t divides its interval; x: -
 :control: the first of the points of the interval left out
 :::
 */
+/* Over the knots K: no N_i is negative in an interval of the domain or at its ends, and they sum up to 1. */
+static void G(compare_with_shares)(trial *T, const struct G(knot_vector) * K)
+{
+    int p = K->p;
+    for (int interval = K->place[p]; interval < K->place[K->n]; interval += 2) {
+        int mu = G(span_of_interval)(K->count, K->place, interval);
+        num at[3] = {G(parameter_inside)(T, K->u, mu), K->u[mu], K->u[mu + 1]}; /* inside, and at both ends */
+        for (int end = 0; end < 3; end++) {
+            num t = at[end], sum = from_int(0);
+            for (int i = 0; i < K->n; i++) {
+                num N = G(cox_de_boor)(p, K->u, K->place, i, interval, t);
+                about(T, "the sign of N_i");
+                nonnegative(T, N);
+                if (fault(T, 1, i != mu - p))
+                    sum = add(sum, N);
+            }
+            about(T, "the sum of the N_i");
+            same(T, sum, from_int(1));
+        }
+    }
+}
+
 CLAIM(basis_is_a_partition_of_unity)
 {
     int p = T->degree;
     struct G(knot_vector) K = {.kind = FIELD && p > 4 ? INTEGERS : LENGTHS};
-    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
-        for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
-            int mu = G(span_of_interval)(K.count, K.place, interval);
-            num at[3] = {G(parameter_inside)(T, K.u, mu), K.u[mu], K.u[mu + 1]}; /* inside, and at both ends */
-            for (int end = 0; end < 3; end++) {
-                num t = at[end], sum = from_int(0);
-                for (int i = 0; i < K.n; i++) {
-                    num N = G(cox_de_boor)(p, K.u, K.place, i, interval, t);
-                    about(T, "the sign of N_i");
-                    nonnegative(T, N);
-                    if (fault(T, 1, i != mu - p))
-                        sum = add(sum, N);
-                }
-                about(T, "the sum of the N_i");
-                same(T, sum, from_int(1));
+    for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K))
+        G(compare_with_shares)(T, &K);
+}
+
+/*
+:::{claim} basis_beside_a_too_multiple_knot_sums_to_one
+:title: Beside a knot that is more than k-fold the B-splines are nonnegative and sum up to 1 as well
+:zh: 超过 k 重的节点两侧 B 样条基仍非负且和为一
+:given: a knot of multiplicity $k+1$ or $k+2$ between simple or clamped ends, with any positive gaps of the knots; both intervals of the domain;
+  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, or $t=x_m$, or $t=x_{m+1}$, where the limit from the left is taken
+:then: $N_{i,k}(t)\ge0$ for all $i$ and $\sum_{i=1}^nN_{i,k}(t)=1$
+:method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
+:degrees: 1..6 sampled 6
+:scope: an inner knot of multiplicity k+1 or k+2 between simple and clamped ends; the distinct knots variables up to order 5, numbers above
+:over: s: ratio in which t divides its interval; x: -
+:control: the first of the points of the interval left out
+:::
+*/
+CLAIM(basis_beside_a_too_multiple_knot_sums_to_one)
+{
+    int p = T->degree;
+    struct G(knot_vector) K = {.kind = FIELD && p > 4 ? INTEGERS : LENGTHS};
+    for (int clamped = 0; clamped < 2; clamped++)
+        for (int more = 1; more <= 2; more++) {
+            char pattern[MOST_KNOTS];
+            int many = clamped ? 1 : p + 1, at = 0;
+            for (int end = 0; end < 2; end++) {
+                for (int i = 0; i < many; i++)
+                    pattern[at++] = (char)(clamped ? '1' + p : '1');
+                if (end == 0)
+                    pattern[at++] = (char)('1' + p + more);
             }
+            pattern[at] = '\0';
+            (void)G(knots_good)(T, p, pattern, &K); /* it is not, and the knots are there all the same */
+            G(compare_with_shares)(T, &K);
         }
-    }
 }
 
 #if RATIONAL
@@ -248,12 +288,15 @@ word; the definition does not.
 :zh: 节点向量非减即可定义曲线
 :printed: With $t_j\le t_{j+1}$, $n\ge k$ and nothing more about the knots the curve is given for $t_k\le t\le t_{n+1}$
 :holds-by: basis_is_a_partition_of_unity
+:confirmed-by: basis_beside_a_too_multiple_knot_sums_to_one
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: no_interval_no_curve | $t_k<t_{n+1}$: otherwise the domain is one value of $t$, at which every $N_{i,k}$,
   $1\le i\le n$, may be zero
 :hypothesis: right_end_belongs_to_no_interval | at $t=t_{n+1}$ the limit from the left is meant, when
   $t_{n+1}=\dots=t_{n+k}$: by the half-open intervals of the definition of $N_{i,1}$ all $N_{i,k}$ are zero there
 :figure: missing_end
+
+Inside the domain a knot may be more than $k$-fold, too: beside $k+1$ or $k+2$ equal knots the $N_{i,k}$ sum up to 1 as well.
 :::
 
 :::{claim} no_interval_no_curve
@@ -340,8 +383,9 @@ CLAIM(right_end_belongs_to_no_interval)
 :then: $N_{i,k}(t)>0$ exactly if the interval is in $[t_i,t_{i+k})$, and every $i=1,\dots,n$ has such an interval
 :method: The recursion by its letter; signs are read off coefficients in the gaps and in $s$, $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$.
 :degrees: 1..6 sampled 6
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
+:where: $t_k<t_{k+1}$ and $t_n<t_{n+1}$
 :over: s: ratio in which t divides its interval; x: -
 :control: $N_{i,k}$ compared with the support of $N_{i+1,k}$
 :::
@@ -465,7 +509,7 @@ The equation of both forms is true wherever $w(t)\ne0$.  What the range of $t$ a
 :method: The kernel against all $n$ terms of the recursion by its letter.  The numerators are linear in the points, coordinate by
   coordinate.
 :degrees: 1..6 sampled 6
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :defines: nurbs_homogenize nurbs_weight nurbs_point
 :control: the last weight of the span increased by 1 for the kernel
@@ -515,9 +559,10 @@ hide unequal weights, independent ones cannot.
 :zh: 权相等时退化为 B 样条曲线
 :printed: For $w_1=w_2=\dots=w_n$ the curve (4.1.2) degenerates to the B-spline curve (2.2.1)
 :holds-by: equal_weights_give_bspline
-:reading: only_proportional_weights_give_the_bspline | as a criterion: no other weights do, if the points of a span are independent, or if $\sum N_{i,k}r_i$ is of no
-  less than degree $k-1$ on it | Independent points: no $N_{i,k}$ of the span is 0, so every $w_i$ is $w(t)$, and all are equal.  In space $k\ge4$ points are not: there the numerator, of
-  degree $k-1$ at most, is $w(t)$ times a polynomial of degree $k-1$, so that $w(t)$ is constant, and the $N_{i,k}$ being independent and of sum 1, every $w_i$ is this constant.
+:reading: only_proportional_weights_give_the_bspline | as a criterion: no other weights do, if the points of a span are affinely independent, or if $\sum N_{i,k}r_i$ is of no
+  less than degree $k-1$ on it | The coefficients $N_{i,k}(w_i-w(t))$ sum up to 0, so that for affinely independent points each of them is 0; no $N_{i,k}$ of the span is 0, so every $w_i$ is $w(t)$, and all
+  are equal.  In space more than 4 points are not: there the numerator, of
+  degree $k-1$ at most, is $w(t)$ times a polynomial of degree $k-1$, so that $w(t)$ is constant, and the $N_{i,k}$ being linearly independent and of sum 1, every $w_i$ is this constant.
 :figure: nurbs_definition
 
 At $t_{n+1}$ both are limits from the left, as `def-4.1.1-interval` says.  The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,k}(t)r_i$.
@@ -530,7 +575,7 @@ At $t_{n+1}$ both are limits from the left, as `def-4.1.1-interval` says.  The f
 :then: $r(t)=\sum_{i=1}^nN_{i,k}(t)r_i$
 :method: The rational curve by the kernel against the sum of all terms by the recursion.
 :degrees: 1..6 sampled 6
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :where: the common weight is not 0
 :over: w#: equal weights

@@ -69,7 +69,7 @@ CLAIM(equal_weights_give_the_polynomial_family)
 :zh: 两端均为 k-1 重节点时得出有理 Bézier 曲线的包络定理
 :printed: or when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
 :holds-by: bezier_span_gives_the_bezier_family member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
-:hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; as for theorem 4.3.1
+:hypothesis: member_between_multiple_knots_shrinks_at_a_cusp | $\mathbf r'\ne0$; as for theorem 4.3.1
 :meant: it is a corollary of theorem 4.3.1, which says that the curve is the envelope of a family, and nothing about the order of contact | What theorem 3.3.2
   says of the envelope, (3.3.4): the first and the second reading.
 :reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2
@@ -122,6 +122,24 @@ CLAIM(bezier_span_gives_the_bezier_family)
         }
     }
 }
+
+#if RATIONAL
+/*
+:::{claim} member_between_multiple_knots_shrinks_at_a_cusp
+:title: Between (k-1)-fold knots, too, the line of the family may be a point at a cusp
+:zh: k-1 重节点之间尖点处的族直线亦退化为点
+:kind: counterexample
+:given: the cubic $\sum a_mt^m$, which is $(t^2,t^3)$, as a segment between two $(k-1)$-fold knots of the knots $t_i$, weights 1; $r=2$, $\tau$
+:data: t_i = -3 -1 -1 -1 1 1 1 3; a = (0,0) (0,0) (1,0) (0,1); τ = 0
+:instead: τ = 1/2
+:then: the member, a line by rights, is a point: it has no tangent that could be common
+:result: r_i = (1,-1) (-1/3,1) (-1/3,-1) (1,1); the two points of the member = (0,0) (0,0)
+:method: The two points of the level are computed exactly; that they differ is what is compared.
+:control: a parameter where the curve has no cusp
+:::
+*/
+CLAIM(member_between_multiple_knots_shrinks_at_a_cusp) { G(line_shrinks_to_a_point)(T); }
+#endif
 
 /*
 :::{statement} wang-ch4:formula-4.3.8

@@ -28,7 +28,7 @@ static void G(free_nurbs)(trial *T, int n, int d, num R[], num w[])
   `nurbs_point` and `nurbs_deboor` give $R(t)$
 :method: The kernels against sums of all $n$ terms, with the B-splines from the recursion of de Boor and Cox by its letter.
 :degrees: 0..6 sampled 7
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :over: q#: weights
 :defines: nurbs_homogenize nurbs_weight nurbs_point nurbs_deboor
@@ -150,7 +150,7 @@ insertion of the section before, applied to homogeneous points, in higher ones.
   their quotients by the variables $w_i$.  From degree 4 on it is left to
   `nurbs_insertion_is_that_of_homogeneous_points`, whose time grows less.
 :degrees: 0..3 sampled 6
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3
 :over: q#: weights; s: new knot
 :defines: nurbs_insert
 :control: the last of the new weights is replaced by its neighbour
@@ -199,7 +199,7 @@ CLAIM(nurbs_insertion_keeps_curve)
 :method: Two kernels that share no code.  That the second keeps splines is known from `boehm_insertion_keeps_curve` and
   `boehm_insertion_in_higher_degrees`, so the first keeps curves in the same degrees.
 :degrees: 0..6 sampled 8
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :over: q#: weights; s: new knot
 :control: the last of the new weights is replaced by its neighbour
@@ -502,7 +502,7 @@ that it could lack.
   and `nurbs_weight` give the same for the knots $au_i+b$ and the parameter $at+b$ as for $u_i$ and $t$
 :method: Every kernel twice, elevation and reduction where there is one inner knot at most.
 :degrees: 0..4 sampled 7
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3
 :where: the factor of the knots is not 0
 :over: a: factor; b: shift; q#: weights
 :control: the parameter is moved by $b$ and not stretched; in degree 0, the points are moved

@@ -48,7 +48,7 @@ Chapter 2 of the source is not part of the text at hand, so that the seven numbe
   by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ outside $[t_i,t_{i+k})$
 :method: All terms of the definition, before and after.
 :degrees: 1..6 sampled 6
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 3, numbers above
 :over: d: shift of a point; e: positive increment of a weight
 :where: $w(t)\ne0$ with the old and with the new weight
@@ -102,7 +102,7 @@ CLAIM(moved_point_changes_its_support)
 :method: The point by the kernel; the shares by the recursion by its letter, $w(t)$ being the sum of all $n$ terms; signs are read off coefficients in $s$, the gaps and
   the weights.
 :degrees: 1..5
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :over: s: ratio in which t divides its interval; x: -
 :control: the share of the first of the $k$ points given to the second as well
@@ -183,7 +183,7 @@ coordinates the translation of a point also changes $w_ix_i$ in proportion to it
 :then: the curve of the mapped points with the same weights is the mapped curve
 :method: The definition, everything a variable; every coordinate of an affine map is such a form.
 :degrees: 1..6 sampled 6
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 3, numbers above
 :over: m# v#: affine maps
 :where: $w(t)\ne0$
@@ -227,7 +227,7 @@ CLAIM(nurbs_moves_with_its_points)
 :then: the curve of $r_n,\dots,r_1$, $w_n,\dots,w_1$ and knots $-t_{n+k},\dots,-t_1$ at $-t$ is $r(t)$
 :method: The definition, everything a variable.
 :degrees: 1..6 sampled 6
-:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 knots up to order 3;
+:scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
   the distinct knots variables up to order 5, numbers above
 :where: $w(t)\ne0$
 :control: the weights are not reversed
