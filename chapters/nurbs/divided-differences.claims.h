@@ -363,23 +363,25 @@ the values of $f$ and its derivatives.  With the values of $f$ in the places of 
 :title: The column as it is printed does not give the values
 :zh: 未知量与右端混排不成方程组
 :kind: counterexample
-:given: $k$ and $k+1$ simple nodes $\tau$, $f(t)=t^k$, whose polynomial has the coefficients $c$
-:data: k = 3; τ = 0 1 2 3; c = 0 0 0 1
-:then: the column $(c_0,\dots,c_{k-1},f(\tau_{k+1}))$ is not mapped to the values of $f$
-:result: column = 0 0 0 27; H times the column = 0 27 216 729; f(τ_i) = 0 1 8 27
+:given: $k$ and $k+1$ simple nodes $\tau$, the fewest for which the column has room for all that is printed in it; $f(t)=t^k$, whose polynomial has the
+  coefficients $c$
+:data: k = 4; τ = -2 -1 0 1 2; c = 0 0 0 0 1
+:then: the column $(c_0,c_1,c_2,f(\tau_1),f(\tau_d))$, $d=k+1$, is not mapped to the values of $f$
+:result: column = 0 0 0 16 16; H times the column = 128 0 0 32 384; f(τ_i) = 16 1 0 1 16
 :method: The product with $H(T;1,t,\dots,t^k)$ is computed.
 :control: the column $c$
 :::
 */
 CLAIM(mixed_column_is_no_system)
 {
-    enum { MOST = 3 };
-    int k = given_whole(T, "k"), l[MOST + 1] = {1, 1, 1, 1};
+    enum { MOST = 4 };
+    int k = given_whole(T, "k"), l[MOST + 1] = {1, 1, 1, 1, 1};
     num tau[MOST + 1], H[(MOST + 1) * (MOST + 1)], column[MOST + 1], product[MOST + 1], values[MOST + 1];
     given_points(T, "τ", k + 1, 1, tau);
     given_points(T, "c", k + 1, 1, column);
     for (int i = 0; i <= k; i++)
         values[i] = G(power)(tau[i], k);
+    column[k - 1] = fault(T, column[k - 1], values[0]);
     column[k] = fault(T, column[k], values[k]);
     G(osculation_matrix)(k + 1, l, k, tau, H);
     for (int i = 0; i <= k; i++) {
