@@ -94,6 +94,8 @@ CLAIM(superscript_of_the_order_gives_another_product)
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
+
+The example, too, has $\mathbf r_i^{[r-1]}$ for $\mathbf p_i^{[r-1]}$, which is not defined, and the member of level $r-1$ for $\mathbf r^{[r-1]}(t,\tau)$.
 :::
 */
 
