@@ -19,7 +19,7 @@ and the third lose a condition that the theorem has.  Here they are decided line
   such a knot the derivative of order $k-1$ of the truncated power does not exist
 :figure: zero_power_at_a_knot
 
-The reason that is given, property 2.7.4 with lemma 4.4.1, is in a section that is not at hand; it is computed here.  The sentence before abbreviates $d(T_i),l_q(T_i),\tau_q(T_i),\alpha_{\lambda\mu}(T_i)$ to $d,l_q,\tau_q,\alpha_{\lambda\mu}$; in the copy at hand the first four have lost their $(T_i)$, too.
+The reason that is given is 2.7.4 with lemma 4.4.1; whatever 2.7.4 is, the section is not at hand, and the copy has lost the word before the number; it is computed here.  The sentence before abbreviates $d(T_i),l_q(T_i),\tau_q(T_i),\alpha_{\lambda\mu}(T_i)$ to $d,l_q,\tau_q,\alpha_{\lambda\mu}$; in the copy at hand the first four have lost their $(T_i)$, too.
 :::
 */
 
@@ -223,8 +223,8 @@ CLAIM(full_powers_sum_to_nothing)
 :class: invalid-proof
 :refuted-by: full_powers_sum_to_nothing
 :corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
-:corrected-by: binomial_theorem_in_every_degree printed_double_sum_gives_the_basis
-:confirmed-by: powers_expand_in_the_parameter
+:corrected-by: binomial_theorem_in_every_degree truncated_power_gives_the_basis
+:confirmed-by: powers_expand_in_the_parameter printed_double_sum_gives_the_basis
 :figure: full_powers
 :::
 

@@ -50,7 +50,7 @@ CLAIM(span_parameter_is_a_bijection)
 #if RATIONAL
 /*
 :::{claim} empty_span_has_no_parameter
-:title: On an empty span the parameter does not reach 1
+:title: On an empty span the formula of the parameter divides by 0
 :zh: 空区间上无参数变换
 :kind: counterexample
 :given: two knots $t_r=t_{r+1}$
@@ -81,6 +81,7 @@ CLAIM(empty_span_has_no_parameter)
 :checked-by: matrix_holds_the_powers_of_the_basis
 :confirmed-by: coefficient_matrix_is_affinely_invariant
 :argued: its being the only one | The points are arbitrary, and the powers of $u$ independent.
+:needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :figure: matrices_of_merging_knots
 :::
 */
@@ -160,8 +161,8 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
 :needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :meant: definition 4.4.1: the NURBS curve (4.1.1), in homogeneous coordinates | The $\mathbf r_i$ are the
   $\tilde{\mathbf r}_i=(w_i\mathbf r_i,w_i)$ of (4.1.1); only the tilde is left out.
-:reading: affine_points_need_the_weights | with the affine points and the affine curve, which (4.1.2) calls so: as soon as two
-  weights differ it is another curve
+:reading: affine_points_need_the_weights | with the affine points and the affine curve, which (4.1.2) calls so: where the weights
+  of the span differ it may be another curve
 :figure: matrix_and_weights
 
 The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r_i)^T$ and $(1,\dots,u^{k-1})\,\mathbf A\,(w_i)^T$.
@@ -170,8 +171,8 @@ The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r
 :::{claim} matrix_gives_homogeneous_curve
 :title: The matrix applied to homogeneous points gives the homogeneous curve
 :zh: 齐次坐标下的矩阵表示
-:given: orders $k=p+1$, every pattern of the knots up to order 4 and the two extreme ones above, points and weights variables, $u$ variable
-:then: $(1,\dots,u^p)A\,(\tilde r_{r-p},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$,
+:given: orders $k$, every pattern of the knots up to order 4 and the two extreme ones above, points and weights variables, $u$ variable
+:then: $(1,\dots,u^{k-1})A\,(\tilde r_{r-k+1},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$,
   and the quotient of the two coordinates is $\sum N_{i,k}w_ir_i/\sum N_{i,k}w_i$
 :method: The coefficients are computed first, from the matrix and the points, then the sum of the powers.  A coordinate
   is any coordinate, so one suffices.
@@ -216,8 +217,8 @@ CLAIM(matrix_gives_homogeneous_curve)
 
 #if RATIONAL
 /*
-A matrix acts linearly, and an affine point of a curve with different weights is not a linear function of the affine
-control points.  One has to apply the matrix in homogeneous coordinates and to divide at the end.
+An affine point of a curve with different weights is a mean of the affine control points, too, but with quotients of polynomials as its shares, and
+the matrix gives polynomials.  One has to apply it in homogeneous coordinates and to divide at the end.
 
 :::{claim} affine_points_need_the_weights
 :title: Applied to affine points the matrix does not give the affine curve
@@ -264,6 +265,7 @@ CLAIM(affine_points_need_the_weights)
 :definition: yes
 :checked-by: matrix_holds_the_powers_of_the_basis
 :confirmed-by: coefficient_rows_have_fixed_sums
+:needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :figure: matrices_of_merging_knots
 
 Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
@@ -298,7 +300,7 @@ CLAIM(coefficient_rows_have_fixed_sums)
 /*
 ## By divided differences (theorem 4.4.1)
 
-As a function of its order-$k$ divided difference, a B-spline is
+A B-spline of order $k$ is a divided difference of order $k$,
 
 $$N_{i,k}(t)=(t_{i+k}-t_i)\,[t_i,\dots,t_{i+k}](x-t)_+^{k-1},$$
 
@@ -475,12 +477,13 @@ CLAIM(column_by_differences_is_the_function)
 :title: So the curve has the coefficient matrix of these entries
 :zh: 由此得 NURBS 曲线的系数矩阵表示
 :printed: this gives the representation (4.4.2) of the NURBS curve (4.1.1) on $[t_r,t_{r+1})$
-:holds-by: matrix_by_differences_is_the_matrix matrix_gives_homogeneous_curve
+:holds-by: printed_double_sum_gives_the_basis matrix_holds_the_powers_of_the_basis matrix_gives_homogeneous_curve
+:confirmed-by: matrix_by_differences_is_the_matrix
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: matrix_and_weights
 
-For the homogeneous curve (4.1.1).
+For the homogeneous curve (4.1.1).  The columns of (4.4.12) and of the matrix have the same polynomials of $u$, so they are the same.
 :::
 
 :::{claim} matrix_by_differences_is_the_matrix

@@ -101,7 +101,7 @@ CLAIM(derivative_lowers_the_multiplicity_by_one)
 :method: The derivatives are those of the rational function of $t$ in the field.
 :types: field
 :degrees: k = 0..6
-:over: t#: nodes; s#: coefficients; x: -
+:over: t#: different nodes; s#: coefficients; x: -
 :control: the multiplicity of the last node counted as one more
 :::
 */
@@ -194,6 +194,8 @@ $\tau_i$, the rows of the derivatives of order $0,\dots,l_i-1$ of $1,t,\dots,t^k
 :definition: yes
 :checked-by: confluent_vandermonde_holds_derivatives system_says_osculation
 :figure: confluent_row
+
+The functions are any; what is checked are the powers, $f_m=t^m$.
 :::
 */
 
@@ -215,7 +217,7 @@ is seen to say what osculation means.
   $\frac{k!}{(k-l_i+1)!}\tau_i^{k-l_i+1}$
 :method: In the field the other side is the formal derivative, elsewhere the falling factorial times the power.
 :degrees: k = 0..5 sampled 8
-:over: t#: nodes; x: -
+:over: t#: different nodes; x: -
 :defines: confluent_vandermonde
 :control: the derivatives at each node taken in the opposite order
 :::
@@ -262,7 +264,7 @@ CLAIM(confluent_vandermonde_holds_derivatives)
 :method: The product with the matrix of the kernel against the derivatives of the polynomial in the field.
 :types: field
 :degrees: k = 0..6
-:over: t#: nodes; c#: coefficients; x: -
+:over: t#: different nodes; c#: coefficients; x: -
 :control: the coefficients $c_0$ and $c_k$ exchanged
 :::
 */
@@ -317,11 +319,11 @@ factorial below has to be that of the exponent, as in every derivative of a powe
 :title: The printed entry of the last row is not the derivative of t^k
 :zh: 末行末元素的阶乘印错
 :kind: counterexample
-:given: $k$, simple nodes, so $l_1=1$ and the last row of $\tau_1$ is its only one
-:data: k = 2; l_1 = 1; τ_1 = 1
-:then: the last entry has to be $\tau_1^k$; printed is $\frac{k!}{(k-l_1-1)!}\tau_1^k$, which is another number
-:result: printed entry = 2; derivative of t^k = 1
-:method: The printed entry against the derivative of order $l_1-1=0$ of $t^k$ at $\tau_1$.
+:given: $k$ and a node $\tau_1$ of multiplicity $l_1$, the least for which the last row of $\tau_1$ begins with the zeros that are printed
+:data: k = 5; l_1 = 4; τ_1 = 1
+:then: the last entry has to be $\frac{k!}{(k-l_1+1)!}\tau_1^{k-l_1+1}$; printed is $\frac{k!}{(k-l_1-1)!}\tau_1^{k-l_1+1}$, which is another number
+:result: printed entry = 120; derivative of t^k = 60
+:method: The printed entry against the derivative of order $l_1-1$ of $t^k$ at $\tau_1$.
 :control: $(k-l_1+1)!$ in the denominator
 :::
 */
@@ -361,23 +363,25 @@ the values of $f$ and its derivatives.  With the values of $f$ in the places of 
 :title: The column as it is printed does not give the values
 :zh: 未知量与右端混排不成方程组
 :kind: counterexample
-:given: $k$ and $k+1$ simple nodes $\tau$, $f(t)=t^k$, whose polynomial has the coefficients $c$
-:data: k = 3; τ = 0 1 2 3; c = 0 0 0 1
-:then: the column $(c_0,\dots,c_{k-1},f(\tau_{k+1}))$ is not mapped to the values of $f$
-:result: column = 0 0 0 27; H times the column = 0 27 216 729; f(τ_i) = 0 1 8 27
+:given: $k$ and $k+1$ simple nodes $\tau$, the fewest for which the column has room for all that is printed in it; $f(t)=t^k$, whose polynomial has the
+  coefficients $c$
+:data: k = 4; τ = -2 -1 0 1 2; c = 0 0 0 0 1
+:then: the column $(c_0,c_1,c_2,f(\tau_1),f(\tau_d))$, $d=k+1$, is not mapped to the values of $f$
+:result: column = 0 0 0 16 16; H times the column = 128 0 0 32 384; f(τ_i) = 16 1 0 1 16
 :method: The product with $H(T;1,t,\dots,t^k)$ is computed.
 :control: the column $c$
 :::
 */
 CLAIM(mixed_column_is_no_system)
 {
-    enum { MOST = 3 };
-    int k = given_whole(T, "k"), l[MOST + 1] = {1, 1, 1, 1};
+    enum { MOST = 4 };
+    int k = given_whole(T, "k"), l[MOST + 1] = {1, 1, 1, 1, 1};
     num tau[MOST + 1], H[(MOST + 1) * (MOST + 1)], column[MOST + 1], product[MOST + 1], values[MOST + 1];
     given_points(T, "τ", k + 1, 1, tau);
     given_points(T, "c", k + 1, 1, column);
     for (int i = 0; i <= k; i++)
         values[i] = G(power)(tau[i], k);
+    column[k - 1] = fault(T, column[k - 1], values[0]);
     column[k] = fault(T, column[k], values[k]);
     G(osculation_matrix)(k + 1, l, k, tau, H);
     for (int i = 0; i <= k; i++) {
@@ -441,7 +445,7 @@ equal nodes have to be counted as one.
 :method: The determinant of the matrix of derivatives, by sums over all permutations up to $k=3$ and by
   Bird's algorithm, against the product written out factor by factor.
 :degrees: k = 0..6 sampled 8
-:over: t#: nodes
+:over: t#: different nodes
 :defines: confluent_vandermonde_determinant
 :control: the exponents $l_il_j$ taken as 1
 :::
@@ -474,8 +478,8 @@ CLAIM(confluent_vandermonde_determinant_is_product)
 :printed: hence (4.4.6) has exactly one solution
 :holds-by: confluent_vandermonde_determinant_is_product system_says_osculation
 :meant: the determinant before it, that of $H(T;1,t,\dots,t^k)$ | (4.4.6) as corrected in `formula-4.4.6` and `formula-4.4.6-right-side`.
-:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | the $\tau_i$ differ: equal
-  nodes have to be counted by multiplicity
+:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are
+  counted by multiplicity: so the $\tau_i$ differ
 :figure: osculating_polynomial
 
 The determinant is a product of factorials and differences, none of them 0.
@@ -540,7 +544,7 @@ the last unknown of the system.  The lemma of the source expands the upper deter
 :method: Every osculation problem has one solution $g$, and $f$ enters by its values only, which are those of $g$; so it
   is enough to know the claim for polynomials $g$.
 :degrees: k = 0..6 sampled 8
-:over: t#: nodes; c#: coefficients
+:over: t#: different nodes; c#: coefficients
 :defines: divided_difference
 :control: $c_0$ on the right
 :::
@@ -579,7 +583,7 @@ CLAIM(divided_difference_is_leading_coefficient)
 :then: $\det H(T;1,\dots,t^{k-1},f)/\det H(T;1,\dots,t^k)$ is the divided difference of the table
 :method: Both determinants are computed from the matrices.
 :degrees: k = 0..5 sampled 7
-:over: t#: nodes; f#: data of the function
+:over: t#: different nodes; f#: data of the function
 :control: $f$ in the first column, in the place of the powers $t^0$
 :::
 */
@@ -647,7 +651,7 @@ column belongs to which derivative: $b(i,j)$ counts the rows, from 0.
   what `divided_weights` computes from power series, and $\sum\alpha_{ij}f^{(j)}(\tau_i)=[t_0,\dots,t_k]f$
 :method: The cofactors are determinants of order $k$ of the matrix of derivatives.
 :degrees: k = 0..5 sampled 7
-:over: t#: nodes; f#: data of the function
+:over: t#: different nodes; f#: data of the function
 :defines: divided_weights
 :control: minors in the place of cofactors
 :::
@@ -717,7 +721,7 @@ CLAIM(places_count_the_rows)
 :title: From the quotient of determinants to the lemma
 :zh: 引理 4.4.1 的推导
 :printed: expanding the numerator of (4.4.7) by its last column gives the lemma
-:holds-by: cramers_rule_gives_divided_difference printed_weights_give_divided_difference
+:holds-by: cramers_rule_gives_divided_difference printed_weights_give_divided_difference confluent_vandermonde_determinant_is_product
 :::
 
 :::{statement} wang-ch4:formula-4.4.9
@@ -793,7 +797,7 @@ from trying functions with a single datum that is not 0.
   divided difference is $\alpha_{ij}$; so the sums agree for all $f$ only when $\gamma=\alpha$
 :method: The table of divided differences on each unit vector of data against the weights of the kernel.
 :degrees: k = 0..6 sampled 8
-:over: t#: nodes
+:over: t#: different nodes
 :control: the data of the neighbouring unit vector
 :::
 */

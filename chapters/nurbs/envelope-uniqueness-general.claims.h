@@ -215,12 +215,12 @@ CLAIM(general_condition_is_that_of_the_level_before)
 :title: The solutions as functions of t
 :zh: 解写成 τ=τ(t)
 :printed: in the joint solution of (4.3.3) and (4.3.15) $\tau=\tau(t)$
-:reading: general_condition_is_that_of_the_level_before | it says which solutions are looked for: an agreement, as
-  (4.3.10)
+:reading: general_condition_is_that_of_the_level_before | it says which solutions are looked for: as an agreement it decides nothing, but then the
+  pairs of a line $t=t_0$ are left out, as by (4.3.10); which pairs there are beside $\tau=t$, the condition $R'\times R''=0$ says
 :reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: for $r=1$ the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$ do not
-:reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: with
-  $\tau(t)=-\frac1{4t}$ the quartic has another solution of this form
+:reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: the quartic has a pair with $\tau\ne t$, one
+  of those with $\tau(t)=-\frac1{4t}$ that `second_envelopes_of_spans` has
 :confirmed-by: derivative_by_tau_is_that_of_the_level_before second_envelopes_of_spans first_level_condition_factors
 :figure: nurbs_envelope_square
 
@@ -301,7 +301,7 @@ An identity for any $t$ and $\tau$; the span is that of $t_j$, see `notation-4.3
 :method: All levels by de Boor's recursion at $t$ and at $\tau$.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:control: $t$ in the place of $\tau$ in the first term
+:control: $t-\tau$ in the place of $\tau-t$ in the first term
 :::
 */
 CLAIM(weights_of_two_parameters_differ_as_printed)
@@ -357,7 +357,7 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
   left out.
 :figure: divisor_zero
 
-All four lines are true, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
+So corrected the display is true from end to end, with the polynomials of the span; at the right end $t_{j+1}$, which only this display
 includes, the values are limits from the left.
 :::
 
@@ -377,10 +377,48 @@ includes, the values are limits from the left.
 /* The value a/b of a term that contains a B-spline, 0/0 being 0: N is NULL outside the span's B-splines. */
 static num G(quotient)(const num *N, num length) { return N == NULL ? from_int(0) : div(*N, length); }
 
+/* The four expressions of the display for the numbers of two levels: a1, b1 those of level r-1 at τ and at t, a, b those of level r. */
+static void G(check_chain)(trial *T, int p, const num u[], int r, num t, num tau, const num a1[], const num b1[],
+                           const num a[], const num b[])
+{
+    int k = p + 1, mu = p, q = p - r; /* q: the degree of N_{i,k-r} */
+    num N[MAX_DEGREE + 1], D[2 * (MAX_DEGREE + 1)], zero = from_int(0);
+    G(bspline_basis)(q, u, mu, t, N);
+    G(bspline_basis_derivatives)(q + 1, u, mu, t, 1, D);
+    num first = zero, before = zero, change = zero, slope = zero, rest = zero, derivative = zero, last = zero;
+    for (int m = 0; m <= q; m++) {
+        first = add(first, mul(N[m], a[m]));
+        change = add(change, mul(N[m], sub(a[m], b[m])));
+    }
+    for (int m = 0; m <= q + 1; m++) { /* i = j-k+r+m */
+        int i = mu - q - 1 + m;
+        const num *here = m > 0 ? &N[m - 1] : NULL, *next = m <= q ? &N[m] : NULL; /* N_{i,k-r}, N_{i+1,k-r} */
+        num length = here ? sub(u[i + q + 1], u[i]) : zero, after = next ? sub(u[i + q + 2], u[i + 1]) : zero;
+        num left = G(quotient)(here, length), right = G(quotient)(next, after);
+        before = add(before, mul(D[m], b1[m]));
+        slope = add(slope, mul(sub(left, right), a1[m]));
+        num both = zero;
+        if (next)
+            both = add(both, mul(sub(u[i + q + 2], t), right));
+        if (here)
+            both = add(both, mul(sub(t, u[i]), left));
+        rest = add(rest, mul(both, sub(a1[m], b1[m])));
+        derivative = add(derivative, mul(D[q + 2 + m], a1[m]));
+        last = add(last, mul(D[m], a1[m]));
+    }
+    num e = sub(tau, t);
+    about(T, "the second expression");
+    same(T, first, add(before, change));
+    about(T, "the third expression");
+    same(T, first, add(before, add(mul(e, slope), rest)));
+    about(T, "the fourth expression");
+    same(T, first, add(mul(div(e, from_int(fault(T, k - r, k - r + 1))), derivative), last));
+}
+
 CLAIM(level_by_sums_over_the_level_before)
 {
     int p = T->degree, k = p + 1, mu = p;
-    num u[MOST_KNOTS], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s"), zero = from_int(0);
+    num u[MOST_KNOTS], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = parameter(T, "s");
     int place[MOST_KNOTS];
     for (int i = 0; i <= p; i++)
         w[i] = positive(T, "w", i);
@@ -390,44 +428,54 @@ CLAIM(level_by_sums_over_the_level_before)
         for (int i = 0; i <= p; i++)
             a[i] = b[i] = w[i];
         for (int r = 1; r <= k - 2; r++) {
-            int q = p - r; /* the degree of N_{i,k-r} */
-            num a1[MAX_DEGREE + 1], b1[MAX_DEGREE + 1], N[MAX_DEGREE + 1], D[2 * (MAX_DEGREE + 1)];
+            num a1[MAX_DEGREE + 1], b1[MAX_DEGREE + 1];
             for (int i = 0; i <= p; i++) {
                 a1[i] = a[i];
                 b1[i] = b[i];
             }
             G(bspline_deboor_level)(G(on_span)(p, 1, u, mu, NULL), r, a, tau);
             G(bspline_deboor_level)(G(on_span)(p, 1, u, mu, NULL), r, b, t);
-            G(bspline_basis)(q, u, mu, t, N);
-            G(bspline_basis_derivatives)(q + 1, u, mu, t, 1, D);
-            num first = zero, before = zero, change = zero, slope = zero, rest = zero, derivative = zero, last = zero;
-            for (int m = 0; m <= q; m++) {
-                first = add(first, mul(N[m], a[m]));
-                change = add(change, mul(N[m], sub(a[m], b[m])));
+            G(check_chain)(T, p, u, r, t, tau, a1, b1, a, b);
+        }
+    }
+}
+
+/*
+:::{claim} weighted_points_by_sums_over_the_level_before
+:title: The same steps with the weighted points
+:zh: 对加权顶点的同样等式链
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
+  patterns; weights and
+  points, any $t$ and $\tau$, every $r=1,\dots,k-2$
+:where: the weights of the levels are not 0
+:then: with $w_i^{[r]}\mathbf r_i^{[r]}$ and $w_i^{[r-1]}\mathbf r_i^{[r-1]}$ for the weights each of the four expressions is equal to the first; 0/0 counts as 0
+:method: The points by (4.1.4), which divides by weights; every expression by its letter, term by term.  A coordinate is any coordinate, so one suffices.
+:degrees: 2..6 sampled 7
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
+:::
+*/
+CLAIM(weighted_points_by_sums_over_the_level_before)
+{
+    int p = T->degree, k = p + 1;
+    num u[MOST_KNOTS], R[MAX_DEGREE + 1], w[MAX_DEGREE + 1], t = parameter(T, "t"), at[2] = {parameter(T, "s"), t};
+    int place[MOST_KNOTS];
+    G(free_curve)(T, p, 1, R, w);
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
+        num d[2][MAX_DEGREE + 1]; /* the products w_i r_i of a level, at τ and at t */
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int i = 0; i <= p; i++)
+            d[0][i] = d[1][i] = mul(w[i], R[i]);
+        for (int r = 1; r <= k - 2; r++) {
+            num before[2][MAX_DEGREE + 1], Rr[MAX_DEGREE + 1], wr[MAX_DEGREE + 1];
+            for (int c = 0; c < 2; c++) {
+                G(level_of_curve)(p, 1, u, p, R, w, r, at[c], Rr, wr);
+                for (int i = 0; i <= p; i++)
+                    before[c][i] = d[c][i];
+                for (int i = 0; i <= p - r; i++)
+                    d[c][i] = mul(wr[i], Rr[i]);
             }
-            for (int m = 0; m <= q + 1; m++) { /* i = j-k+r+m */
-                int i = mu - q - 1 + m;
-                const num *here = m > 0 ? &N[m - 1] : NULL, *next = m <= q ? &N[m] : NULL; /* N_{i,k-r}, N_{i+1,k-r} */
-                num length = here ? sub(u[i + q + 1], u[i]) : zero, after = next ? sub(u[i + q + 2], u[i + 1]) : zero;
-                num left = G(quotient)(here, length), right = G(quotient)(next, after);
-                before = add(before, mul(D[m], b1[m]));
-                slope = add(slope, mul(sub(left, right), a1[m]));
-                num both = zero;
-                if (next)
-                    both = add(both, mul(sub(u[i + q + 2], t), right));
-                if (here)
-                    both = add(both, mul(sub(t, u[i]), left));
-                rest = add(rest, mul(both, sub(a1[m], b1[m])));
-                derivative = add(derivative, mul(D[q + 2 + m], a1[m]));
-                last = add(last, mul(D[m], a1[m]));
-            }
-            num e = sub(tau, t);
-            about(T, "the second expression");
-            same(T, first, add(before, change));
-            about(T, "the third expression");
-            same(T, first, add(before, add(mul(e, slope), rest)));
-            about(T, "the fourth expression");
-            same(T, first, add(mul(div(e, from_int(fault(T, k - r, k - r + 1))), derivative), last));
+            G(check_chain)(T, p, u, r, at[1], at[0], before[0], before[1], d[0], d[1]);
         }
     }
 }
@@ -467,12 +515,12 @@ CLAIM(first_term_of_the_chain_divides_by_zero)
 
 /*
 :::{statement} wang-ch4:notation-4.3
-:title: The letter of the span in the last proof
+:title: The letter of the span in theorem 4.3.3 and its proof
 :zh: 区间端点的字母
-:printed: $t_i\le t<t_{i+1}$ in theorem 4.3.3, with the difference of the weights, in (4.3.17) and with the products of level $r-2$
+:printed: $t_i\le t<t_{i+1}$ in theorem 4.3.3, and $t_i\le t,\tau<t_{i+1}$ with the difference of the weights, in (4.3.17) and with the products of level $r-2$
 :class: misprint
 :refuted-by: span_has_the_letter_of_the_sum
-:corrected: $t_j\le t<t_{j+1}$
+:corrected: $t_j\le t<t_{j+1}$, and $t_j\le t,\tau<t_{j+1}$
 :corrected-by: span_has_its_own_letter
 
 $j$ is the number of the span, $i$ that of a term of the sums.
@@ -551,10 +599,11 @@ CLAIM(span_has_its_own_letter) { agree(T, spans_have_their_letter(T)); }
 :title: The same for the numerators
 :zh: 分子的类似等式
 :printed: with $w_i^{[r]}(\tau)\mathbf r_i^{[r]}(\tau)$ in the place of $w_i^{[r]}(\tau)$ a similar equation holds
-:holds-by: family_steps_along_the_tangent level_by_sums_over_the_level_before
+:holds-by: weighted_points_by_sums_over_the_level_before
+:confirmed-by: family_steps_along_the_tangent level_by_sums_over_the_level_before
 :figure: nurbs_envelope_square
 
-The first expression against the last is run with the points; those between are an identity in the numbers $w_i$, in whose place any numbers may stand.
+The last two sums begin at $i=j-k+r$ here, too, and $0/0$ counts as $0$: see `thm-4.3.3-chain`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.17
@@ -592,8 +641,8 @@ plus a multiple of $t\tau$; it is positive for $t=\tau$, and yet 0 on a hyperbol
 signs.
 
 :::{claim} convex_quartic_of_span_has_second_envelope
-:title: A convex segment without inflections whose conics touch a parabola as well
-:zh: 无拐点的凸四次曲线段,其族另有抛物线为包络
+:title: A convex segment without inflections, and a point off it that satisfies the condition
+:zh: 无拐点的凸四次曲线段,曲线外有点满足包络条件
 :kind: counterexample
 :given: the quartic $\sum a_mt^m$, which is $(t,2t^4+3t^2)$, as a segment over the uniform knots $t_i$, weights 1;
   $r=2$, a pair of $t$ and $\tau$
@@ -605,7 +654,7 @@ signs.
   (0,-1/8); its derivatives by t and τ = (1/2,0) (1/2,0); point of the curve with its abscissa = (0,0)
 :method: That $x'y''-x''y'$ is positive is decided first, by its sign as a polynomial on the closed span; then that
   the pair satisfies the condition; then the ordinate of the point is compared with that of the curve where the
-  abscissa is the same.
+  abscissa is the same.  All such pairs, and the parabola of their points, are in `second_envelopes_of_spans`.
 :control: $t=\tau$
 :::
 */
@@ -630,8 +679,8 @@ In space two coordinates of the vector product have to vanish at once.  The sext
 factor, $t\tau+1$: its zeros are no points of the diagonal, where curvature and torsion (挠率) would notice it.
 
 :::{claim} twisted_sextic_has_second_envelope
-:title: A curve of space, its curvature and torsion nowhere 0, whose cubics touch another curve as well
-:zh: 曲率与挠率处处非零的空间曲线,其族另有包络
+:title: A curve of space, its curvature and torsion nowhere 0, and a point off it that satisfies the condition
+:zh: 曲率与挠率处处非零的空间曲线,曲线外有点满足包络条件
 :kind: counterexample
 :given: the sextic curve of space $\sum a_mt^m$, which is $(t,t^6-15t^2,3t^5+10t^3)$, as a segment over the uniform
   knots $t_i$, weights 1; $r=3$, a pair of $t$ and $\tau$
@@ -646,7 +695,7 @@ factor, $t\tau+1$: its zeros are no points of the diagonal, where curvature and 
 :method: $\mathbf r'\times\mathbf r''$ has the coordinates $x'y''-x''y'=y''$ and $x'z''-x''z'=z''$, without a common
   real zero: their greatest common divisor is decided to have none.  $(\mathbf r',\mathbf r'',\mathbf r''')$ is
   decided to have no zero on the real line.  Then the condition, then the point against that of the curve with the
-  same $x$.
+  same $x$.  All such pairs are in `second_envelopes_of_spans`.
 :control: $t=\tau$, the point minus that of the curve
 :::
 */

@@ -71,7 +71,7 @@ FIGURE(nurbs_envelope_extra)
     svg *s = svg_new("nurbs_envelope_extra", "Envelopes beside the curve",
                      "Left the conics of the convex quartic (t, 2t⁴ + 3t²): many of them touch the parabola y = 2x² - "
                      "1/8 below it.  Right the conics of the cubic (t, t³), taken as a "
-                     "curve of order 6: all of them touch another, smaller cubic.");
+                     "curve of order 6: those with -1/2 < τ ≤ 1/2 touch another, smaller cubic.");
     static const int x[6] = {0, 1}, y4[5] = {0, 0, 3, 0, 2}, y3[6] = {0, 0, 0, 1};
     struct nurbs quartic = one_span(4, 1, x, y4), cubic = one_span(5, 1, x, y3);
     svg_panel(s, window(r(-3, 5), r(-3, 10), r(3, 5), r(3, 2)), 380, 285, "$k=5$, $r=2$: the convex quartic");
@@ -97,7 +97,7 @@ FIGURE(nurbs_envelope_space)
 {
     svg *s = svg_new("nurbs_envelope_space", "A curve of space, curved and twisted everywhere, with a second envelope",
                      "The curve (t, t⁶ - 15t², 3t⁵ + 10t³), order 7, in two projections with its cubic members, r = 3, "
-                     "and the second curve that they touch.");
+                     "and the second curve, which those with τ < -1/2 or τ ≥ 1/2 touch.");
     static const int x[7] = {0, 1}, y[7] = {0, 0, -15, 0, 0, 0, 1}, z[7] = {0, 0, 0, 10, 0, 3};
     static const int upright = 1;
     for (int k = 0; k < 2; k++) {

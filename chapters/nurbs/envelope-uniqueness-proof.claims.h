@@ -94,6 +94,8 @@ CLAIM(superscript_of_the_order_gives_another_product)
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
+
+The example, too, has $\mathbf r_i^{[r-1]}$ for $\mathbf p_i^{[r-1]}$, which is not defined, and the member of level $r-1$ for $\mathbf r^{[r-1]}(t,\tau)$.
 :::
 */
 
@@ -223,7 +225,7 @@ CLAIM(weighted_points_follow_the_recursion)
 :reading: span_derivatives_are_parallel | for all pairs of the square, because on the diagonal it says that the
   curve is in a plane through the origin; not by solving for the terms | At $\tau=t$ the member has the point, the tangent and
   the osculating plane of the curve, so that the Wronskian of the coordinates of the curve is 0 for all $t$; the plane has the
-  control points, and so every member.
+  control points (`points_are_polar_values_of_the_segment`), and so those of every level.
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors, with $\mathbf r^{[k-r+1]}(t,\tau)$ for $\mathbf r^{[r-1]}(t,\tau)$ as in
   `thm-4.3.3-alternatives`, is 0, so the products are 0 on every level
@@ -242,26 +244,28 @@ No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3
 :zh: 第 1 层混合积为零而第 0 层不为零
 :kind: counterexample
 :given: the cubic curve of space $\sum a_mt^m$, which is $(t,t^2,(t-1)^3)$, as a segment over the uniform knots $t_i$,
-  weights 1; $r=2$, a $t$, and the $\tau$ whose member $R$ of level 1 is in the plane $z=0$
+  weights 1; $r=2$, a $t$, and a $\tau$; $R$ the member of level 1
 :data: t_i = -14 -10 -6 -2 2 6 10 14; a = (0,0,-1) (1,0,3) (0,1,-3) (0,0,1); t = 0; τ = 1
-:then: $(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$ for all $i$, and not every $(r_i,\partial_tR,\partial_t^2R)$ is
-  0
-:result: r_i = (-6,92/3,-231) (-2,-4/3,21) (2,-4/3,-15) (6,92/3,45); products of level 1 = 0 0 0; products of level 0
-  = -308/3 28/3 -20/3 20
-:method: The products of level 1 are found to be 0; then those of level 0 are compared with 0.
+:then: the points $r_i^{[1]}(\tau)$ are in the plane $z=0$, and so is $R$, so that $(r_i^{[1]}(\tau),\partial_tR,\partial_t^2R)=0$ for all $i$ and with this $\tau$ for
+  all $t$; and not every $(r_i,\partial_tR,\partial_t^2R)$ is 0
+:result: r_i = (-6,92/3,-231) (-2,-4/3,21) (2,-4/3,-15) (6,92/3,45); points of level 1 = (-7/3,4/3,0) (1/3,-4/3,0) (3,20/3,0); products of level 1 = 0 0 0;
+  products of level 0 = -308/3 28/3 -20/3 20
+:method: The points of level 1 are found to have $z=0$ and the products of level 1 to be 0; then those of level 0 are compared with 0.
 :control: those of level 1 once more
 :::
 */
 CLAIM(level_one_in_a_plane_and_the_points_not)
 {
-    num u[8], R[12], w[4], low[4], high[4], t = given(T, "t"), tau = given(T, "τ");
+    num u[8], R[12], w[4], R1[12], w1[4], low[4], high[4], t = given(T, "t"), tau = given(T, "τ");
     G(given_curve_of_powers)(T, 3, 3, u, R, w);
+    G(level_of_curve)(3, 3, u, 3, R, w, 1, tau, R1, w1);
+    found_points(T, "points of level 1", 3, 3, R1);
     G(products_with_member)(3, u, R, w, 1, tau, t, 1, high);
     G(products_with_member)(3, u, R, w, 1, tau, t, 0, low);
     found_points(T, "products of level 1", 3, 1, high);
     found_points(T, "products of level 0", 4, 1, low);
     for (int m = 0; m < 3; m++)
-        if (!is_zero_q(high[m]))
+        if (!is_zero_q(R1[3 * m + 2]) || !is_zero_q(high[m]))
             return;
     about(T, "a triple product");
     for (int m = 0; m < 3; m++)
@@ -275,12 +279,13 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :printed: as $w_i(\tau)=w_i>0$ and $\mathbf p_i(\tau)=\mathbf p_i$, the products being 0 for $t_j\le t,\tau<t_{j+1}$
   means that $\mathbf p_i$, $i=j-k+1,\dots,j$, are coplanar
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
-  points_are_polar_values_of_the_segment curvatures_have_a_fixed_ratio member_of_span_is_polar
+  points_are_polar_values_of_the_segment curvatures_have_a_fixed_ratio span_derivatives_are_parallel
 :needs: twisted_sextic_has_products_zero | the sentence is about the whole span | the condition holds for all pairs of the
   square; at one pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points
   need not be coplanar
-:argued: | Either one pair of the last two factors is independent, and their normal is common to all points, or every member is straight, since its
-  slopes have the derivative 0; then $\mathbf r'\times\mathbf r''$, of which $R'\times R''$ at $\tau=t$ is a multiple, is 0 for all $t$, and the segment is straight.
+:argued: | Either the last two factors are independent for one pair, and their normal is common to all points, or $R'\times R''$ is 0 for all pairs.  At $\tau=t$ it is
+  $\mathbf r'\times\mathbf r''$ times a factor that is not 0, the derivatives being parallel; so this is 0 for all $t$, the segment is straight, as for
+  `thm-4.3.2-coplanar`, and its points are on a line.
 :figure: nurbs_envelope_space
 
 The products are those of $w_i\mathbf r_i$ with $\partial_tR$ and $\partial_t^2R$, $R=\mathbf r^{[k-r+1]}(t,\tau)$ being the member of the level before, as in

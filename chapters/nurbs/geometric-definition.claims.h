@@ -407,20 +407,21 @@ with a common second derivative at the knot, of which the second has its inflect
   (0,8); t = 11/2; τ = 9/2
 :instead: τ = 11/2
 :then: every corner of the control polygon is a strict left turn and $\mathbf r'\times\mathbf r''>0$ on both closed
-  spans; the condition of the envelope is satisfied at a point which is not on the curve
-:result: r_i = (-3/2,33) (-1/2,3) (1/2,-3) (3/2,15) (5/2,105); point of the member = (1/3,0); its derivatives by t and
-  τ = (1/3,0) (2/3,0); point of the curve with its abscissa = (1/3,1/3)
+  spans; with this $\tau$ the condition of the envelope is satisfied at every $t$ of the second span, and the point of the given $t$ is not on the curve
+:result: r_i = (-3/2,33) (-1/2,3) (1/2,-3) (3/2,15) (5/2,105); ends of the leg where the condition is satisfied = (5) (6); point of the member = (1/3,0); its
+  derivatives by t and τ = (1/3,0) (2/3,0); point of the curve with its abscissa = (1/3,1/3)
 :method: The points are values of the polar forms; the two polar forms are found to agree for the three points that
   both segments use.  The signs are decided: of the determinants of neighbouring edges, and of polynomials.  Then the
-  condition by the family of the second span; then the ordinate of the point is compared with that of the curve at its
+  condition by the family of the second span: with weights 1 the leg has a constant derivative by $t$, and that by $\tau$ is linear in $t$, so that the condition is
+  satisfied on the whole leg if it is at both ends; then the ordinate of the point is compared with that of the curve at its
   abscissa $x$, at $t=x+c$.
 :control: $\tau=t$
 :::
 */
 CLAIM(convex_polygon_has_a_stationary_leg)
 {
-    num u[9], segment[2][8], R[10], w[5], X[2], x[3], power[4], at[2];
-    int agrees = 1, convex = 1;
+    num u[9], segment[2][8], R[10], w[5], X[2], D[6], x[3], power[4], ends[2], at[2];
+    int agrees = 1, convex = 1, satisfied = 0;
     given_points(T, "t_i", 9, 1, u);
     num c = given(T, "c");
     given_points(T, "first segment", 4, 2, segment[0]);
@@ -448,6 +449,12 @@ CLAIM(convex_polygon_has_a_stationary_leg)
     }
     convex &= G(turns_left_on_span)(3, u, 3, R) && G(turns_left_on_span)(3, u, 4, R);
     found_points(T, "r_i", 5, 2, R);
+    for (int end = 4; end <= 5; end++) {
+        G(family_derivatives)(3, 2, u, 4, R + 2, w + 1, 2, tau, u[end], D);
+        if (is_zero_q(G(cross2)(D + 2, D + 4)))
+            ends[satisfied++] = u[end];
+    }
+    found_points(T, "ends of the leg where the condition is satisfied", satisfied, 1, ends);
     if (!G(pair_of_the_envelope)(T, 3, 2, u, 4, R + 2, w + 1, 2, tau, t, X) || !agrees || !convex)
         return;
     num place = add(X[0], c);
@@ -480,9 +487,8 @@ CLAIM(convex_polygon_has_a_stationary_leg)
   of the whole square where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
   of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
   neighbouring points are on a line
-:corrected-by: legs_are_tangents_of_the_continued_segments whole_member_is_polar_on_every_span
-  general_condition_is_that_of_the_level_before quadratic_legs_have_one_envelope first_level_condition_factors
-  derivative_by_tau_is_that_of_the_level_before
+:corrected-by: legs_are_tangents_of_the_continued_segments quadratic_legs_have_one_envelope first_level_condition_factors
+:confirmed-by: whole_member_is_polar_on_every_span
 :figure: nurbs_polygons_extra
 :::
 

@@ -223,7 +223,8 @@ The entries do not change when all knots move by one number, although $t_r$ stan
 :title: Two explicit matrices for the same representation
 :zh: 两种显式矩阵表示
 :printed: Marsden's identity gives another explicit form of the coefficient matrix (4.4.2); with (4.4.12) these are the two explicit matrix forms of the most general case (preface)
-:holds-by: both_explicit_matrices_agree
+:holds-by: printed_double_sum_gives_the_basis printed_cofactor_formula_gives_the_basis
+:confirmed-by: both_explicit_matrices_agree
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
