@@ -29,6 +29,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :then: $\det H=\prod_{i<j}(t_j-t_i)$, and row $i$ of $H$ is $1,t_i,\dots,t_i^k$
 :method: The determinant of the kernel's matrix, and its product formula, against the product of the differences.
 :degrees: k = 0..5 sampled 8
+:scope: simple knots
 :over: t#: nodes
 :control: the order of the last two nodes exchanged in the product
 :::
@@ -149,7 +150,9 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the formula for the divided difference before it has in front of $f(t_l)$ as
   printed: so read it is $-N_{0,1}$ for $k=1$
 :corrected: \alpha_l=\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_l-t_j)\Bigr]^{-1}
-:corrected-by: simple_basis_from_weights simple_difference_has_factors_of_both_orders
+:corrected-by: simple_basis_from_weights
+:confirmed-by: simple_difference_has_factors_of_both_orders
+:needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1, from which it is taken: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: simple_knots_sign
 
 Nothing in the source says what $\alpha_l$ is.
@@ -159,8 +162,9 @@ Nothing in the source says what $\alpha_l$ is.
 :title: The sum over the knots to the right of the span
 :zh: 区间右侧节点求和得 B 样条基
 :given: orders $k$, simple knots and $t$ variables
-:then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1
-:method: The weights of `divided_weights`, the B-splines by definition.
+:then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1, which are
+  $\bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_l-t_j)\bigr]^{-1}$
+:method: The weights of `divided_weights`, each against the product, and in the sum, against the B-splines by definition.
 :degrees: 0..5 sampled 7
 :scope: simple knots
 :over: t#: knots
@@ -177,6 +181,10 @@ CLAIM(simple_basis_from_weights)
     for (int i = 0; i < k; i++) {
         num sum = from_int(0);
         G(divided_weights)(k + 1, l, S.t + i, alpha);
+        about(T, "the weights");
+        for (int m = i; m <= i + k; m++)
+            same(T, mul(alpha[m - i], G(product_of_differences)(S.t, i, k, m, 0)), from_int(1));
+        about(T, "the sum");
         for (int m = fault(T, S.r + 1, S.r); m <= i + k; m++)
             sum = add(sum, mul(alpha[m - i], G(power)(sub(S.t[m], t), k - 1)));
         /* (t_i+k - t_i) Σ_{l > r} α_l (t_l - t)^(k-1) = N_i,k(t) */
@@ -273,6 +281,7 @@ CLAIM(printed_expansion_gives_the_negative_basis)
 :refuted-by: printed_expansion_gives_the_negative_basis
 :corrected: the same with $t_l-t_\alpha$: as printed it is $(-1)^kN_{i,k}$
 :corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
+:needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1, from which it is taken: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: simple_knots_sign
 :::
 
