@@ -214,11 +214,10 @@ static num G(printed_entry)(const struct G(span) * S, int i, int j, int letter, 
 :kind: counterexample
 :given: $k=1$ and $r=i=0$, the two knots $t_i$ of $N_{0,1}$ and a $t$ between them; $\alpha_1=1/(t_0-t_1)$, the printed factor
 :data: t_i = 0 1; t = 1/2
-:then: the sum $(t_1-t_0)\alpha_1(t_1-t)^0$, and the only coefficient of its powers of $u$, $a_{00}=(t_1-t_0)(t_1-t_0)^0/(t_0-t_1)$, are the negative of
-  $N_{0,1}(t)$
-:result: the sum = -1; a_00 = -1; N_0,1(t) = 1
-:method: Both formulas by their letter; the exponents $k-1-j$ and $k-l-j$ with $j=0$ and $l=r+1=1$ are both 0.
-:control: the factors $t_l-t_\alpha$
+:then: the sum $(t_1-t_0)\alpha_1(t_1-t)^0$ is the negative of $N_{0,1}(t)$
+:result: the sum = -1; N_0,1(t) = 1
+:method: The formula by its letter; the function by the definition of the B-splines.
+:control: the factor $t_1-t_0$
 :::
 */
 CLAIM(printed_weights_give_the_negative_basis)
@@ -229,18 +228,38 @@ CLAIM(printed_weights_give_the_negative_basis)
     struct G(span) S = G(span_of_pattern)(1, 0, x);
     num alpha = div(from_int(1), G(product_of_differences)(S.t, 0, 1, 1, fault(T, 0, 1)));
     num sum = mul(mul(sub(S.t[1], S.t[0]), alpha), G(power)(sub(S.t[1], t), 0));
-    num a = G(printed_entry)(&S, 0, 0, 1, fault(T, 0, 1)), value = G(basis_value)(&S, 0, 1, t);
+    num value = G(basis_value)(&S, 0, 1, t);
     found(T, "the sum", sum);
-    found(T, "a_00", a);
     found(T, "N_0,1(t)", value);
     about(T, "the sum, and N_0,1(t)");
     same(T, sum, value);
-    about(T, "a_00, and N_0,1(t)");
+}
+
+/*
+:::{claim} printed_entry_of_order_one_is_negative
+:title: For k = 1 the printed entry is the negative of the only one
+:zh: k=1 时印出的元素为正确元素的负值
+:kind: counterexample
+:given: $k=1$ and $r=i=j=0$, the two knots $t_i$ of $N_{0,1}$, numbered from 0
+:data: t_i = 0 1
+:then: the only entry of the matrix is $N_{0,1}(t_0)$; as printed, $a_{00}=(t_1-t_0)(t_1-t_0)^0/(t_0-t_1)$, it is the negative
+:result: the printed a_00 = -1; N_0,1(t_0) = 1
+:method: The printed formula by its letter; its exponent $k-l-j$, in which $l=r+1=1$, is 0, as $k-1-j$ is.
+:control: the factors $t_l-t_\alpha$
+:::
+*/
+CLAIM(printed_entry_of_order_one_is_negative)
+{
+    num x[2];
+    given_points(T, "t_i", 2, 1, x);
+    struct G(span) S = G(span_of_pattern)(1, 0, x);
+    num a = G(printed_entry)(&S, 0, 0, 1, fault(T, 0, 1)), value = G(basis_value)(&S, 0, 1, x[0]);
+    found(T, "the printed a_00", a);
+    found(T, "N_0,1(t_0)", value);
+    about(T, "the printed a_00, and N_0,1(t_0)");
     same(T, a, value);
 }
-#endif
 
-#if RATIONAL
 /*
 :::{claim} printed_expansion_gives_the_negative_basis
 :title: For k = 3 the printed expansion is the negative B-spline
@@ -349,7 +368,7 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
 :printed: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-l-j}\Big/\prod_{\alpha=i,\,
   \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr],\quad i=r-k+1,r-k+2,\dots,r;\ j=0,1,\dots,k-1
 :class: misprint
-:refuted-by: printed_weights_give_the_negative_basis exponent_with_the_letter_fails
+:refuted-by: printed_entry_of_order_one_is_negative exponent_with_the_letter_fails
 :corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha=i,\,\alpha\ne l}^{i+k}
   (t_l-t_\alpha)}
 :corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
