@@ -799,7 +799,7 @@ CLAIM(powers_of_t_from_derivatives)
   example is of (4.4.13), and at $x=0$ both of its sides are those of $j=1$ with the other sign
 :figure: powers_from_averages
 
-For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
+$j=0,\dots,k-1$, as $\mu$ in (4.4.20), of which it is another form.  For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
 :::
 
 The coefficient of $t^j$ is the symmetric function divided by the number of its terms, a mean of products of $j$ inner
@@ -857,6 +857,8 @@ For $j=0$ the sum has one term, the empty product 1.
 :holds-by: coefficients_of_marsden_in_every_order
 :confirmed-by: derivatives_of_omega_are_symmetric
 :figure: powers_from_averages
+
+$j=0,\dots,k-1$, as $\mu$ in (4.4.20).
 :::
 */
 
