@@ -162,16 +162,16 @@ In (4.4.17) the inverse of $G$ gives the B-splines in powers of $t$, and the bin
 of $u$.  The formula is computed as it stands, with determinants over all permutations, at variable knots.
 
 :::{claim} printed_cofactor_formula_gives_the_basis
-:title: The printed coefficients are those of the B-spline
+:title: The printed coefficients from the cofactors of G are those of the B-spline
 :zh: (4.4.17) 给出 B 样条基
-:given: every pattern of the 2k knots around a span up to the order 3, orders 4 and 5 with simple knots and those of
+:given: every pattern of the 2k knots around a span up to the order 4, the order 5 with simple knots and those of
   Bernstein; the different knots and $u$ variables; random patterns in the other number types
 :then: $\sum_j\bar a_{ji}u^j=N_{i,k}(t)$, with $\bar a_{ji}$ by (4.4.17), and `bspline_matrix_by_marsden` has these
   entries
 :method: (4.4.17) by its letter, with $G$ by (4.4.19) and its determinant and cofactors as sums over all permutations; the
   B-splines by their definition.
 :degrees: 0..4 sampled 4
-:scope: every pattern of the knots around a span up to order 3, the two extreme ones above
+:scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots
 :defines: bspline_matrix_by_marsden
 :control: the cofactors transposed
@@ -192,8 +192,8 @@ CLAIM(printed_cofactor_formula_gives_the_basis)
     int k = T->degree + 1;
     num x[2 * LARGEST_ORDER], g[CELLS], star[CELLS], A[CELLS], u = parameter(T, "u");
     G(increasing)(T, 2 * k, x);
-    for (int count = G(pattern_count)(k, 3, 2), m = 0; m < count; m++) {
-        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 3, m), x);
+    for (int count = G(pattern_count)(k, 4, 2), m = 0; m < count; m++) {
+        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 4, m), x);
         num t_r = S.t[S.r], h = sub(S.t[S.r + 1], t_r);
         G(matrix_g)(&S, g);
         num det = G(leibniz)(k, 0, 0, g);
