@@ -343,6 +343,8 @@ CLAIM(printed_bernstein_quotient_fails)
 :holds-by: bsplines_are_bernstein_polynomials
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
 :figure: bernstein_matrix
+
+(1.6.9) is in a chapter that is not at hand; the functions themselves are compared.
 :::
 
 :::{claim} bsplines_are_bernstein_polynomials

@@ -877,6 +877,8 @@ Here the exponent is printed right.  The index $t$ of the matrix is the order $k
 :holds-by: uniform_matrix_is_the_matrix
 :confirmed-by: coefficient_matrix_is_affinely_invariant
 :figure: uniform_matrices
+
+Another $r$ is another first knot: around $[r,r+1)$ it is $r-k+1$.
 :::
 */
 
