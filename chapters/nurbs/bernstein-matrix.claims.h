@@ -20,25 +20,27 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :printed: for $T=\{0,0,\dots,0,1,1,\dots,1\}$, by (4.4.14): $\omega_{i,k}(x)=x^{k-1-i}(x-1)^i$, $i=0,1,\dots,k-1$
 :holds-by: bernstein_knots_in_every_order bernstein_knots_of_every_function
 :confirmed-by: bernstein_coefficients_and_g
-:needs: bernstein_knots_from_one_shift_the_index | the knots printed with it, $[t_{k-1},t_k)=[0,1)$ | the knots are numbered
-  from 0, $t_0=\dots=t_{k-1}=0$; as $[t_{k-1},t_k)=[0,1)$ says; the points of (4.1.1) are numbered from 1
+:needs: bernstein_knots_from_one_shift_the_index | the span printed with it, $[t_{k-1},t_k)=[0,1)$ | the knots are numbered
+  from 0, $t_0=\dots=t_{k-1}=0$; the points of (4.1.1) are numbered from 1
 :figure: bernstein_matrix
 :::
 
 :::{statement} wang-ch4:bernstein-g
 :title: The matrix G for the knots of Bernstein
 :zh: Bernstein 情形的矩阵 G
-:printed: g_{ji}=0\ (i<j),\quad g_{ji}=\binom ij\Big/\binom{k-1}j\ (i\ge j),\quad i,j=0,1,\dots,k-1
+:printed: for $T=\{0,0,\dots,0,1,1,\dots,1\}$, by (4.4.18), (4.4.19): $g_{ji}=0$ $(i<j)$, $g_{ji}=\binom ij\Big/\binom{k-1}j$ $(i\ge j)$, $i,j=0,1,\dots,k-1$
 :holds-by: coefficients_of_marsden_in_every_order bernstein_knots_of_every_function
   symmetric_functions_of_zeros_and_ones
 :confirmed-by: bernstein_coefficients_and_g
+:needs: bernstein_knots_from_one_shift_the_index | the matrix and the span printed with it, $\mathbf G_{k-1,k,T}$ and $[t_{k-1},t_k)=[0,1)$ | the knots are numbered
+  from 0, $t_0=\dots=t_{k-1}=0$
 :figure: bernstein_matrix
 :::
 
 :::{statement} wang-ch4:bernstein-g-triangular
 :title: G is upper triangular
 :zh: G 为上三角阵
-:printed: \mathbf G_{k-1,k,T}\text{ is upper triangular}
+:printed: for $T=\{0,0,\dots,0,1,1,\dots,1\}$, by (4.4.18), (4.4.19), $\mathbf G_{k-1,k,T}$ is upper triangular
 :holds-by: coefficients_of_marsden_in_every_order bernstein_knots_of_every_function
   symmetric_functions_of_zeros_and_ones
 :confirmed-by: bernstein_coefficients_and_g
@@ -114,7 +116,8 @@ CLAIM(bernstein_knots_of_every_function)
 :let: $c=\binom{j+h-1}j$, so that $\binom{j+h-1}{j-1}=c\frac jh$ and $\binom{j+h}j=c\frac{j+h}h$
 :then: one number $0$ more leaves $\mathrm{Sym}_j$ what it is, and one number $1$ more makes $\binom{j+h-1}j$ of it $\binom{j+h}j$
 :method: It is $S_j+bS_{j-1}$ for $b=0$ and $b=1$, so that of $k-1-i$ numbers $0$ and $i$ numbers $1$ it is $\binom ij$, which is $0$ for $i<j$: of
-  no numbers $\mathrm{Sym}_0=1$ and the others are $0$, and a sum of zeros is $0$.
+  no numbers $\mathrm{Sym}_0=1$ and the others are $0$; a sum of zeros is $0$; of $j$ numbers $1$, where $S_j=0$ and $S_{j-1}=1$, it is $0+1=\binom jj$; and $\mathrm{Sym}_0$ is
+  always $1$.
 :degrees: all
 :over: j h c S#: -
 :control: $\binom{j+h-1}{j-1}=c\frac{j+1}h$
@@ -128,6 +131,8 @@ CLAIM(symmetric_functions_of_zeros_and_ones)
     about(T, "no numbers"); /* the coefficients of the product of no factors */
     same(T, G(choose)(0, 0), G(power)(S[0], 0));
     same(T, G(choose)(0, 1), zero);
+    about(T, "as many numbers as factors");
+    same(T, add(zero, mul(one, one)), G(choose)(1, 1));
     about(T, "one number more");
     same(T, add(S[0], mul(zero, S[1])), S[0]);
     same(T, add(c, mul(one, div(mul(c, fault(T, j, add(j, one))), h))), div(mul(c, add(j, h)), h));
@@ -167,28 +172,34 @@ CLAIM(bernstein_coefficients_and_g)
 #if RATIONAL
 /*
 :::{claim} bernstein_knots_from_one_shift_the_index
-:title: With functions numbered from 1 the formula for omega is shifted
-:zh: 若下标从 1 起则 ω 错位
+:title: With functions numbered from 1 the formulas for omega and G are shifted
+:zh: 若下标从 1 起则 ω 与 G 错位
 :kind: counterexample
 :given: $k=2$, the knots $t_1,\dots,t_4$, whose functions are $N_{1,2}$ and $N_{2,2}$; $i$ and $x$
 :data: t_1, ..., t_4 = 0 0 1 1; i = 1; x = 2
-:then: $\omega_{1,2}(x)=x-t_2$, the formula gives $x^{1-i}(x-1)^i$, which is another number
-:result: ω_i,2(x) = 2; the formula = 1
-:method: The product of its definition against the formula.
+:then: $\omega_{1,2}(x)=x-t_2$, the formula gives $x^{1-i}(x-1)^i$, which is another number; and $g_{1i}=t_2$ is not $\binom i1\big/\binom11$
+:result: ω_i,2(x) = 2; the formula = 1; g_1i = 0; its formula = 1
+:method: The product of its definition, and the entry of `marsden_matrix`, against the formulas.
 :control: the knots $t_0,\dots,t_3$
 :::
 */
 CLAIM(bernstein_knots_from_one_shift_the_index)
 {
-    num t[4], w[2];
+    num t[4], w[2], g[4];
     given_points(T, "t_1, ..., t_4", 4, 1, t);
     int i = given_whole(T, "i"), first = fault(T, 0, 1);
     num x = given(T, "x"), formula = mul(G(power)(x, 1 - i), G(power)(sub(x, from_int(1)), i));
     G(marsden_coefficients)(1, t, 1, x, w);
+    G(marsden_matrix)(1, t, 1, g);
+    num entry = g[2 + i - first], quotient = div(G(choose)(i, 1), G(choose)(1, 1));
     found(T, "ω_i,2(x)", w[i - first]);
     found(T, "the formula", formula);
+    found(T, "g_1i", entry);
+    found(T, "its formula", quotient);
     about(T, "ω_1,2(x), and the formula");
     same(T, w[i - first], formula);
+    about(T, "g_1i, and its formula");
+    same(T, entry, quotient);
 }
 #endif
 
@@ -225,9 +236,9 @@ begins with $i$ zeros.
 :title: The corrected entries are those of the coefficient matrix
 :zh: 改正后的 Bernstein 系数矩阵
 :given: orders $k$, $t$ variable
-:then: `bernstein_matrix` has the entries $(-1)^{i+j}\binom{k-1}j\binom ji$ for $j\ge i$ and $0$ for $j<i$; its columns are $\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, and the matrix is that of
+:then: `bernstein_matrix` has the entries $(-1)^{i+j}\binom{k-1}j\binom ji$ for $j\ge i$ and $0$ for $j<i$; its columns are $N_{i,k}(t)=\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, and the matrix is that of
   (4.4.17) at these knots
-:method: The kernel against the Bernstein polynomials at a variable $t$, and against `bspline_matrix_by_marsden`.
+:method: The kernel against the Bernstein polynomials and the B-splines by their definition at a variable $t$, and against `bspline_matrix_by_marsden`.
 :degrees: 0..7 sampled 8
 :defines: bernstein_matrix
 :control: the matrix transposed
@@ -252,6 +263,8 @@ CLAIM(bernstein_matrix_is_the_matrix)
         }
         about(T, "the Bernstein polynomial");
         same(T, sum, G(bernstein_value)(k - 1, i, t));
+        about(T, "the B-spline");
+        same(T, sum, G(basis_value)(&S, i, k, t));
     }
 }
 
@@ -303,9 +316,9 @@ CLAIM(printed_bernstein_matrix_is_transposed)
 :zh: 下标改正后商式仍有误
 :kind: counterexample
 :given: $k$, $i$ and $t$, the indices of the printed formula exchanged
-:data: k = 3; i = 1; t = 1
-:then: the sum of the column with the quotients is not $B_i^{k-1}(t)=0$
-:result: the sum of the column with the quotients = 3/2; B_i(t) = 0
+:data: k = 3; i = 1; t = 1/2
+:then: the sum of the column with the quotients is not $B_i^{k-1}(t)$
+:result: the sum of the column with the quotients = 7/8; B_i(t) = 1/2
 :method: The sum of the column at $t$.
 :control: the product of the binomial coefficients
 :::
@@ -328,7 +341,10 @@ CLAIM(printed_bernstein_quotient_fails)
 :zh: 退化为 Bernstein 基
 :printed: for $T=\{0,\dots,0,1,\dots,1\}$, compared with (1.6.9), the B-splines degenerate to the Bernstein polynomials, $N_{i,k}(t)=B_i^{k-1}(t)$, $t\in[t_{k-1},t_k)=[0,1)$, $i=0,1,\dots,k-1$
 :holds-by: bsplines_are_bernstein_polynomials
+:needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
 :figure: bernstein_matrix
+
+(1.6.9) is in a chapter that is not at hand; the functions themselves are compared.
 :::
 
 :::{claim} bsplines_are_bernstein_polynomials
@@ -361,6 +377,7 @@ CLAIM(bsplines_are_bernstein_polynomials)
 :reading: bernstein_matrix_is_the_matrix | with the entries of the coefficient matrix as they are, whatever is printed
 :corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones
 :corrected-by: bernstein_matrix_is_the_matrix
+:needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
 :figure: bernstein_matrix
 :::
 

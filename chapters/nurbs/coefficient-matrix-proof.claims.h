@@ -340,7 +340,7 @@ CLAIM(powers_expand_in_the_parameter)
 :title: The sums exchanged
 :zh: 整理和式
 :printed: collecting the powers of $u$ gives (4.4.11) with (4.4.12)
-:holds-by: summation_limits_agree_in_every_order binomial_theorem_in_every_degree
+:holds-by: summation_limits_agree_in_every_order
 :confirmed-by: summation_orders_agree powers_expand_in_the_parameter
 :hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the second and the third line lack, is
   put back
@@ -351,17 +351,18 @@ In the end the powers of $u$ are collected, which exchanges two sums.  The new l
 $\mu$ a given $j$ occurs.
 
 :::{claim} summation_limits_agree_in_every_order
-:title: The limit of mu is the lesser of the two that it had, whatever the order
-:zh: 求和上限(任意阶数)
+:title: The limits and the factors of the collected sum, whatever the order
+:zh: 求和上限与系数(任意阶数)
 :types: field rational
 :given: $1\le l\le k$, an exponent $j\ge0$, once $j=k-l+d$ and once $k-l=j+d$ with $d\ge0$
 :harmless: with $d\ge0$ | one of the two is the greater, and $d$ the difference
-:let: $m=\max(j,k-l)$, the first of these in one case, the second in the other
-:then: $k-1-m$ is $k-1-j$, which is $d$ less than $l-1$, in the first case; in the second it is $l-1$, which is $d$ less than $k-1-j$
-:method: Identities in $k$, $l$, $j$ and $d$.  So $\mu\le l-1$ and $\mu\le k-1-j$, which is $j\le k-\mu-1$, say together
-  $\mu\le k-1-\max(j,k-l)$.
+:let: $m=\max(j,k-l)$, the first of these in one case, the second in the other; $A=j!$, $B=(k-1-\mu-j)!$, $\binom{k-1-\mu}j=\frac{(k-1-\mu)!}{AB}$
+:then: $k-1-m$ is $k-1-j$, which is $d$ less than $l-1$, in the first case; in the second it is $l-1$, which is $d$ less than $k-1-j$; and
+  $\frac{(k-1)!}{(k-1-\mu)!}\binom{k-1-\mu}j=\frac{(k-1)!}{AB}$
+:method: Identities in $k$, $l$, $j$ and $d$, and in the factorials.  So $\mu\le l-1$ and $\mu\le k-1-j$, which is $j\le k-\mu-1$, say together
+  $\mu\le k-1-\max(j,k-l)$, and the term of $\mu$ and $j$ is the same in both sums.
 :degrees: all
-:over: l j d k: -
+:over: l j d k: -; A B C D: -
 :control: $\max$ replaced by $\min$
 :::
 */
@@ -376,6 +377,9 @@ CLAIM(summation_limits_agree_in_every_order)
         same(T, limit, second ? first : other);
         same(T, sub(second ? other : first, limit), d);
     }
+    num A = positive(T, "A", 0), B = positive(T, "B", 0), C = positive(T, "C", 0), D = positive(T, "D", 0);
+    about(T, "the factors"); /* C = (k-1)!, D = (k-1-μ)! */
+    same(T, mul(div(C, D), div(D, mul(A, B))), div(C, mul(A, B)));
 }
 
 #if RATIONAL

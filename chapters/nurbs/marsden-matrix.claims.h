@@ -108,9 +108,14 @@ CLAIM(cofactor_is_signed_minor)
 :zh: B 样条基的幂基表示
 :printed: if the interval $[t_r,t_{r+1})$ is not empty, then for $i=r-k+1,r-k+2,\dots,r$ there is
   $N_{i,k}(t)=N_{i,k}^*(u)=\sum_{j=0}^{k-1}\bar a_{ji}u^j$, $u=\frac{t-t_r}{t_{r+1}-t_r}\in[0,1)$, $t\in[t_r,t_{r+1})$
-:holds-by: printed_cofactor_formula_gives_the_basis
+:holds-by: printed_cofactor_formula_gives_the_basis marsden_step_for_every_order coefficients_of_marsden_in_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+  power_of_t_in_every_degree
+:argued: every k and every pattern of knots | (4.4.21) is true for every $k$, and so is $\det\mathbf G\ne0$: $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$, and so
+  $c=0$.  The inverse matrix by its cofactors solves (4.4.21) for the $N_{i,k}$, and their powers of $t$ are written in powers of $u$.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
+:needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: both_matrices
 :::
 
@@ -119,7 +124,11 @@ CLAIM(cofactor_is_signed_minor)
 :zh: 定理 4.4.3 基于 Marsden 恒等式的系数矩阵
 :printed: the $\bar a_{ji}$ of (4.4.16) are $\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}$, $j=0,1,\dots,k-1$, where
   $\mathbf G_{r,k,T}$ is the $k\times k$ matrix (4.4.18), (4.4.19), $g_\mu^*$ is the cofactor of its element $g_\mu$, and $\omega_{i,k}(x)$ is as in (4.4.14)
-:holds-by: printed_cofactor_formula_gives_the_basis
+:holds-by: printed_cofactor_formula_gives_the_basis marsden_step_for_every_order coefficients_of_marsden_in_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+  power_of_t_in_every_degree
+:argued: every k and every pattern of knots | (4.4.21) is true for every $k$, and so is $\det\mathbf G\ne0$: $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$, and so
+  $c=0$.  The inverse matrix by its cofactors solves (4.4.21) for the $N_{i,k}$, and their powers of $t$ are written in powers of $u$.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
@@ -128,19 +137,23 @@ For $t_r=0$ the power $t_r^0$ is 1.  $g^*_{\mu i}$ is the cofactor of $g_{\mu i}
 :::
 */
 
-/* g_{mu i} = Sym_mu(t_{i+1}, ..., t_{i+k-1}) / C(k-1, mu), from the coefficients of the product of all 1 + t_m y. */
+/* G by (4.4.19): the derivative of order k-1-mu of omega_{i,k} at 0 is (k-1-mu)! times its coefficient of that power of x. */
 static void G(matrix_g)(const struct G(span) * S, num g[])
 {
     int k = S->k;
     for (int i = 0; i < k; i++) {
-        num c[LARGEST_ORDER];
-        for (int mu = 0; mu < k; mu++)
-            c[mu] = from_int(mu == 0);
-        for (int m = i + 1; m <= i + k - 1; m++)
-            for (int mu = k - 1; mu > 0; mu--)
-                c[mu] = add(c[mu], mul(S->t[m], c[mu - 1]));
-        for (int mu = 0; mu < k; mu++)
-            g[mu * k + i] = div(c[mu], G(choose)(k - 1, mu));
+        num c[LARGEST_ORDER]; /* the coefficients of omega_{i,k}, by its factors x - t_m one by one */
+        for (int power = 0; power < k; power++)
+            c[power] = from_int(power == 0);
+        for (int m = i + 1; m <= i + k - 1; m++) {
+            for (int power = k - 1; power > 0; power--)
+                c[power] = sub(c[power - 1], mul(S->t[m], c[power]));
+            c[0] = neg(mul(S->t[m], c[0]));
+        }
+        for (int mu = 0; mu < k; mu++) {
+            num derivative = mul(G(factorial)(k - 1 - mu), c[k - 1 - mu]);
+            g[mu * k + i] = G(signed_by)(mu, mul(div(G(factorial)(mu), G(factorial)(k - 1)), derivative));
+        }
     }
 }
 
@@ -149,16 +162,16 @@ In (4.4.17) the inverse of $G$ gives the B-splines in powers of $t$, and the bin
 of $u$.  The formula is computed as it stands, with determinants over all permutations, at variable knots.
 
 :::{claim} printed_cofactor_formula_gives_the_basis
-:title: The printed coefficients are those of the B-spline
+:title: The printed coefficients from the cofactors of G are those of the B-spline
 :zh: (4.4.17) 给出 B 样条基
-:given: every pattern of the 2k knots around a span up to the order 3, orders 4 and 5 with simple knots and those of
+:given: every pattern of the 2k knots around a span up to the order 4, the order 5 with simple knots and those of
   Bernstein; the different knots and $u$ variables; random patterns in the other number types
 :then: $\sum_j\bar a_{ji}u^j=N_{i,k}(t)$, with $\bar a_{ji}$ by (4.4.17), and `bspline_matrix_by_marsden` has these
   entries
-:method: (4.4.17) by its letter, with $G$, its determinant and its cofactors as sums over all permutations; the
+:method: (4.4.17) by its letter, with $G$ by (4.4.19) and its determinant and cofactors as sums over all permutations; the
   B-splines by their definition.
 :degrees: 0..4 sampled 4
-:scope: every pattern of the knots around a span up to order 3, the two extreme ones above
+:scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots
 :defines: bspline_matrix_by_marsden
 :control: the cofactors transposed
@@ -179,8 +192,8 @@ CLAIM(printed_cofactor_formula_gives_the_basis)
     int k = T->degree + 1;
     num x[2 * LARGEST_ORDER], g[CELLS], star[CELLS], A[CELLS], u = parameter(T, "u");
     G(increasing)(T, 2 * k, x);
-    for (int count = G(pattern_count)(k, 3, 2), m = 0; m < count; m++) {
-        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 3, m), x);
+    for (int count = G(pattern_count)(k, 4, 2), m = 0; m < count; m++) {
+        struct G(span) S = G(span_of_pattern)(k, G(which_pattern)(T, k, 4, m), x);
         num t_r = S.t[S.r], h = sub(S.t[S.r + 1], t_r);
         G(matrix_g)(&S, g);
         num det = G(leibniz)(k, 0, 0, g);
@@ -205,13 +218,57 @@ CLAIM(printed_cofactor_formula_gives_the_basis)
     }
 }
 
+#if RATIONAL
+/*
+The $\bar a_{ji}$ are those of one span.  Behind it the B-spline is another polynomial, or 0.
+
+:::{claim} polynomial_of_a_span_ends_with_it
+:title: Outside the span the B-spline is not the polynomial of the span
+:zh: 区间外 B 样条基不是该区间的多项式
+:kind: counterexample
+:given: $k=1$, the knots $t_i$ of $N_{0,1}$, the span $[t_0,t_1)$, and a $t$ behind it
+:data: t_i = 0 1; t = 3/2
+:instead: t = 1/2
+:then: the polynomial of the span is $1$: by (4.4.17), by the sum $(t_1-t_0)\alpha_1(t_1-t)^0$ over the knot right of $t_0$, with $\alpha_1=1/(t_1-t_0)$, and as the
+  Bernstein polynomial $B_0^0$; but $N_{0,1}(t)=0$
+:result: the polynomial = 1; the sum over the knot right of t_0 = 1; B_0^0(t) = 1; N_0,1(t) = 0
+:method: The three formulas at $t$; the function by the definition of the B-splines, for the interval that contains $t$.
+:control: a $t$ of the span
+:::
+*/
+CLAIM(polynomial_of_a_span_ends_with_it)
+{
+    num knots[2], A[1];
+    int place[2] = {0, 1};
+    given_points(T, "t_i", 2, 1, knots);
+    num t = given(T, "t"), length = sub(knots[1], knots[0]);
+    G(bspline_matrix_by_marsden)(0, knots, 0, A);
+    num polynomial = G(column_value)(1, A, 0, div(sub(t, knots[0]), length));
+    num alpha = div(from_int(1), length), sum = mul(mul(length, alpha), G(power)(sub(knots[1], t), 0));
+    num bernstein = mul(G(choose)(0, 0), mul(G(power)(sub(from_int(1), t), 0), G(power)(t, 0)));
+    num value = G(cox_de_boor)(0, knots, place, 0, compare_q(t, knots[1]) < 0 ? 0 : 1, t);
+    found(T, "the polynomial", polynomial);
+    found(T, "the sum over the knot right of t_0", sum);
+    found(T, "B_0^0(t)", bernstein);
+    found(T, "N_0,1(t)", value);
+    about(T, "the polynomial of the span, and N_0,1(t)");
+    same(T, polynomial, value);
+    same(T, sum, value);
+    same(T, bernstein, value);
+}
+#endif
+
 /*
 :::{statement} wang-ch4:formula-4.4.17
 :title: The entries from the cofactors of G
 :zh: 由 G 的代数余子式给出矩阵元素
 :printed: \bar a_{ji}=\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i},\quad j=0,1,\dots,k-1
-:holds-by: printed_cofactor_formula_gives_the_basis
+:holds-by: printed_cofactor_formula_gives_the_basis marsden_step_for_every_order coefficients_of_marsden_in_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+  power_of_t_in_every_degree
 :confirmed-by: both_explicit_matrices_agree coefficient_matrix_is_affinely_invariant
+:argued: every k and every pattern of knots | (4.4.21) is true for every $k$, and so is $\det\mathbf G\ne0$: $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$, and so
+  $c=0$.  The inverse matrix by its cofactors solves (4.4.21) for the $N_{i,k}$, and their powers of $t$ are written in powers of $u$.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
@@ -228,6 +285,8 @@ The entries do not change when all knots move by one number, although $t_r$ stan
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
+
+Both are computed by their letter, and each gives $N_{i,k}$ in powers of $u$, which is one polynomial; so the entries are equal.
 :::
 
 Two explicit matrices and a recursive one are now at hand.  They look nothing alike: one distinguishes cases by the
@@ -339,8 +398,8 @@ does.
 :given: orders $k$, knots variables
 :then: $\det G=\prod(t_b-t_a)/\prod_j\binom{k-1}j$ over the pairs $a\le r<b$ with $b-a\le k-1$, as `marsden_determinant`
   computes it
-:method: The determinant of the matrix of symmetric functions: over all permutations up to $k=4$, by Bird's algorithm
-  above.
+:method: The determinant of $G$ by (4.4.19), over all permutations up to $k=4$ and by Bird's algorithm for every $k$.  On a span that is not empty no factor is 0:
+  $t_a\le t_r<t_{r+1}\le t_b$, whatever knots coincide.
 :degrees: 0..4 sampled 7
 :over: t#: knots
 :defines: marsden_determinant
@@ -378,8 +437,8 @@ CLAIM(marsden_determinant_is_product)
   positive variables
 :harmless: each different knot | they are the knots of the pattern
 :then: $\det G>0$
-:method: Written in the steps all coefficients are positive, and there is one at least.  For greater orders there is
-  `marsden_determinant_is_product`, where every factor is positive: $t_a\le t_r<t_{r+1}\le t_b$.
+:method: Written in the steps all coefficients are positive, and there is one at least.  For the order 5 there is `marsden_determinant_is_product`, where
+  every factor is positive.
 :types: field
 :degrees: 0..3
 :over: x: -
@@ -447,7 +506,9 @@ CLAIM(empty_span_makes_g_singular)
 :reading: singular_g_makes_powers_dependent | if the powers on the left of (4.4.21) are counted among the basis functions
 :corrected: by the linear independence of the powers on the left of (4.4.21), $\det\mathbf G_{r,k,T}\ne0$: a vector $c$ with
   $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$
-:corrected-by: singular_g_makes_powers_dependent
+:corrected-by: singular_g_makes_powers_dependent marsden_step_for_every_order coefficients_of_marsden_in_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+:argued: every k | (4.4.21) is true for every $k$.  Applied to $c$ it is $\sum c_\mu t^\mu=\sum_i(\mathbf G^Tc)_iN_{i,k}(t)$.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 
@@ -525,9 +586,13 @@ CLAIM(independent_functions_do_not_suffice)
 :title: The B-splines in powers of t
 :zh: B 样条基按 t 的幂展开
 :printed: N_{i,k}(t)=\sum_{\mu=0}^{k-1}g^*_{\mu i}t^\mu/\det\mathbf G_{r,k,T}
-:holds-by: cofactors_give_powers_of_t
+:holds-by: cofactors_give_powers_of_t marsden_step_for_every_order coefficients_of_marsden_in_every_order
+  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+:argued: every k and every pattern of knots | (4.4.21) is true for every $k$, and so is $\det\mathbf G\ne0$: $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$, and so
+  $c=0$.  The inverse matrix by its cofactors solves (4.4.21) for the $N_{i,k}$.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
+:needs: polynomial_of_a_span_ends_with_it | the proof of theorem 4.4.3: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: both_matrices
 :::
 

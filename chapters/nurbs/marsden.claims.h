@@ -22,6 +22,15 @@ For $k=1$ it is the empty product.
 :::
 */
 
+/* omega_{i,k}(x) by its letter. */
+static num G(omega)(const struct G(span) * S, int i, int k, num x)
+{
+    num product = from_int(1);
+    for (int m = i + 1; m <= i + k - 1; m++)
+        product = mul(product, sub(x, S->t[m]));
+    return product;
+}
+
 /* Sym_j(x_0, ..., x_{n-1}) as the sum over all subsets of j elements. */
 static num G(symmetric_sum)(int n, const num x[], int j)
 {
@@ -48,9 +57,9 @@ powers it has the elementary symmetric functions of these knots as coefficients.
 :title: The kernel's coefficients are the products of x minus the inner knots
 :zh: ω 的系数与零点
 :given: orders $k$, the 2k knots and $x$ variables
-:then: `marsden_coefficients` gives $\sum_j(-1)^j\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,x^{k-1-j}$, with
+:then: `marsden_coefficients` gives $(x-t_{i+1})\cdots(x-t_{i+k-1})$, for $k=1$ the number 1, and this is $\sum_j(-1)^j\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})\,x^{k-1-j}$, with
   $\mathrm{Sym}_j$ the sum over all subsets of $j$ knots
-:method: The product of the kernel against the sum over the $2^{k-1}$ subsets of the inner knots.
+:method: The kernel against the product by its letter, and against the sum over the $2^{k-1}$ subsets of the inner knots.
 :degrees: 0..6 sampled 8
 :over: t#: knots; x
 :defines: marsden_coefficients
@@ -69,7 +78,9 @@ CLAIM(marsden_coefficients_vanish_at_inner_knots)
             num term = mul(G(symmetric_sum)(k - 1, fault(T, S.t + i + 1, S.t + i), j), G(power)(x, k - 1 - j));
             sum = add(sum, G(signed_by)(j, term));
         }
-        /* ω_i,k(x) = Σ_j (-1)^j Sym_j(t_i+1, ..., t_i+k-1) x^(k-1-j) */
+        about(T, "the product by its letter");
+        same(T, w[i], G(omega)(&S, i, k, x));
+        about(T, "the symmetric functions"); /* ω_i,k(x) = Σ_j (-1)^j Sym_j(t_i+1, ..., t_i+k-1) x^(k-1-j) */
         same(T, w[i], sum);
     }
 }
@@ -108,20 +119,11 @@ CLAIM(elementary_symmetric_is_sum_over_subsets)
 :holds-by: marsden_step_for_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: marsden_identity marsden_identity_for_every_pattern
-:needs: marsden_identity_ends_with_the_span | the theorem names the span | $t$ lies in the span whose functions are
+:needs: marsden_identity_ends_with_the_span | the theorem itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
   summed
 :figure: marsden_identity
 :::
 */
-
-/* omega_{i,k}(x) by its letter. */
-static num G(omega)(const struct G(span) * S, int i, int k, num x)
-{
-    num product = from_int(1);
-    for (int m = i + 1; m <= i + k - 1; m++)
-        product = mul(product, sub(x, S->t[m]));
-    return product;
-}
 
 /*
 Both sides are polynomials in $x$ and $t$.  With the knots as variables the identity is proved for simple ones, and
@@ -177,7 +179,7 @@ static void G(check_level)(trial *T, num rise, num fall, num up, num down)
 :then: in $W_i^0N_{i,k}(t)+W_{i-1}^0N_{i-1,k}(t)$ the function $N_{i,k-1}(t)$ has the factor $W_i^1=\frac{t-a}{b-a}W_i^0+\frac{b-t}{b-a}W_{i-1}^0$
 :method: Both functions of order $k$ by the recursion of Cox and de Boor, with other factors $c$, $d$ for the outer functions; the
   derivative by $N_{i,k-1}$.  On the span $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ vanish (`outer_functions_are_made_of_outer_ones`), and for
-  $i=r-k+2,\dots,r$ it is $a\le t_r<t_{r+1}\le b$, whatever knots coincide (`divisors_contain_the_span`, level 1).
+  $i=r-k+2,\dots,r$ it is $a\le t_r<t_{r+1}\le b$, whatever knots coincide (`divisors_contain_the_span`, whose $j$ is the $r$ here, on its level 1).
 :degrees: all from 1
 :scope: every pattern of knots
 :over: a b c d: -; N# W#: -
@@ -207,7 +209,7 @@ neighbouring products have in common.
 :method: Both functions of order $k$ by the recursion of Cox and de Boor, with other factors $c$, $d$ for the outer functions; the
   derivative by $N_{i,k-1}$.  So $\sum\omega_{i,k}N_{i,k}=(x-t)\sum\omega_{i,k-1}N_{i,k-1}$: on the span $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ vanish
   (`outer_functions_are_made_of_outer_ones`), and for $i=r-k+2,\dots,r$ it is $a\le t_r<t_{r+1}\le b$, whatever knots coincide
-  (`divisors_contain_the_span`, level 1).  For $k=1$ the identity is $1=1$.
+  (`divisors_contain_the_span`, whose $j$ is the $r$ here, on its level 1).  For $k=1$ the identity is $1=1$.
 :degrees: all
 :scope: every pattern of knots
 :over: x; q a b c d: -; N# W#: -
@@ -262,8 +264,8 @@ CLAIM(outer_functions_are_made_of_outer_ones)
 :::{claim} marsden_identity_for_every_pattern
 :title: Marsden's identity for coincident knots
 :zh: 重节点下的 Marsden 恒等式
-:given: every pattern of the 2k knots around a span up to the order 4, the different knots, $x$ and $t$ variables; for
-  greater orders random patterns in rationals
+:given: every pattern of the 2k knots around a span up to the order 4, for greater orders three random ones; the different knots, $x$ and $t$
+  variables
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: The B-splines by their definition, with the rule $0/0=0$.
 :degrees: 0..4 sampled 7
@@ -328,8 +330,8 @@ CLAIM(marsden_identity_ends_with_the_span)
 
 /*
 :::{statement} wang-ch4:formula-4.4.13
-:title: The identity as one of polynomials in x and t
-:zh: 恒等式作为 x 与 t 的多项式恒等式
+:title: The formula of the identity, printed twice
+:zh: 恒等式的公式(印两次)
 :printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad\text{printed twice}
 :holds-by: marsden_step_for_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
@@ -345,22 +347,23 @@ With the polynomials of the span in the places of the $N_{i,k}$ it holds for all
 :title: Marsden's identity for greater orders
 :zh: 高阶 Marsden 恒等式
 :given: orders $k$ from 1 to 8, $x$, $t$ and $t_r$ variables; the other knots equidistant around $t_r$, or all
-  equal on each side
+  equal on each side; the gap, of the knots or of the two sides, a variable
 :then: $\sum_i\omega_{i,k}(x)N_{i,k}(t)=(x-t)^{k-1}$
 :method: The B-splines from the kernel of the basis, at a variable $t$.
 :degrees: 0..7 sampled 12
 :scope: equidistant knots, or all equal on each side
-:over: x; a: knot
+:over: x; a: knot; h: gap
 :control: the coefficient of the last function left out
 :::
 */
 CLAIM(marsden_identity_up_to_order_eight)
 {
     int p = T->degree;
-    num knots[32], N[16], w[16], x = unknown(T, "x", 0), t = parameter(T, "t"), start = unknown(T, "a", 0);
+    num knots[32], N[16], w[16], x = unknown(T, "x", 0), t = parameter(T, "t");
+    num start = unknown(T, "a", 0), gap = positive(T, "h", 0);
     for (int equal = 0; equal <= 1; equal++) {
         for (int m = 0; m < 2 * p + 2; m++)
-            knots[m] = add(start, from_int(equal ? m > p : m - p));
+            knots[m] = add(start, mul(from_int(equal ? m > p : m - p), gap));
         num sum = from_int(0);
         G(bspline_basis)(p, knots, p, t, N);
         G(marsden_coefficients)(p, knots, p, x, w);
@@ -559,6 +562,7 @@ CLAIM(one_level_needs_the_span)
 :holds-by: marsden_step_for_every_order one_level_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_takes_off_a_factor
+:needs: empty_span_has_no_level | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | the span is not empty: otherwise a fraction of $W_i^1$ divides by 0
 :figure: marsden_identity
 
 The second index of the first $\omega$ is an iota; the order $k$ is meant, see `notation-4.4`.
@@ -591,6 +595,35 @@ CLAIM(one_level_takes_off_a_factor)
         same(T, G(level_of_coefficients)(&S, i, k, W, t, 0),
              mul(sub(x, t), G(omega)(&S, i + fault(T, 0, k > 2), k - 1, x)));
 }
+
+#if RATIONAL
+/*
+:::{claim} empty_span_has_no_level
+:title: On an empty span one level takes off no factor
+:zh: 空区间上一层递推不成立
+:kind: counterexample
+:given: $k=2$, four knots $t_i$, $t_r=t_{r+1}$ in the middle, $i=r=1$, $t=t_1$ and $x$; the rule $0/0=0$
+:data: t_i = 0 1 1 2; t = 1; x = 0
+:instead: t_i = 0 1 2 3
+:then: both fractions of $W_1^1$ are $0/0$, so that it is 0 and not $(x-t)\,\omega_{1,1}(x)$
+:result: W_1^1 = 0; (x - t) ω_1,1(x) = -1
+:method: $W_1^1$ from $W_1^0=\omega_{1,2}(x)$ and $W_0^0=\omega_{0,2}(x)$ by its letter.
+:control: simple knots
+:::
+*/
+CLAIM(empty_span_has_no_level)
+{
+    struct G(span) S = {.k = 2, .r = 1};
+    given_points(T, "t_i", 4, 1, S.t);
+    num t = given(T, "t"), x = given(T, "x"), W[2] = {G(omega)(&S, 0, 2, x), G(omega)(&S, 1, 2, x)};
+    num level = equal_q(S.t[1], S.t[2]) ? from_int(0) : G(level_of_coefficients)(&S, 1, 2, W, t, 0);
+    num right = mul(sub(x, t), G(omega)(&S, 1, 1, x));
+    found(T, "W_1^1", level);
+    found(T, "(x - t) ω_1,1(x)", right);
+    about(T, "W_1^1, and (x - t) ω_1,1(x)");
+    same(T, level, right);
+}
+#endif
 
 /*
 :::{statement} wang-ch4:thm-4.4.2-step-chain
@@ -659,7 +692,8 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: powers_of_t_from_derivatives
-:needs: marsden_identity_ends_with_the_span | (4.4.20), which it writes as a matrix: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed
+:needs: marsden_identity_ends_with_the_span | (4.4.20), which it writes as a matrix: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed; the
+  example is of (4.4.13), and at $x=0$ both of its sides are those of the power $t$ with the other sign
 :figure: powers_from_averages
 
 The entries of $\mathbf G$ are (4.4.19), so that this is (4.4.20) for all $\mu$ at once.
@@ -680,8 +714,8 @@ What is compared is the same for every order: a factor more, and every coefficie
 :method: (1) and (2) are the steps of inductions on the number of factors, in which all letters are variables; without factors both products are 1; for $j=0$
   both coefficients are 1, and for $j=m+1$, where $S_j$ and $\binom mj$ are 0, they are $\sigma bS_m$ and $t\cdot t^m$: $\omega_{i,k}(x)=\sum_j(-1)^j\mathrm{Sym}_j\,x^{k-1-j}$,
   and $(x-t)^{k-1}=\sum_j(-1)^j\binom{k-1}jt^jx^{k-1-j}$.  A polynomial that is differentiated $k-1-j$ times has at 0 the value $(k-1-j)!$ times
-  its coefficient of $x^{k-1-j}$, which for $\omega_{i,k}$ is $\sigma\,\mathrm{Sym}_j$.  So by (3) the coefficients on both sides of Marsden's identity are those of
-  (4.4.20) and of (4.4.22).
+  its coefficient of $x^{k-1-j}$, which for $\omega_{i,k}$ is $\sigma\,\mathrm{Sym}_j$.  So by (3) the coefficients of $x^{k-1-j}$ on both sides of Marsden's
+  identity, divided by $\sigma\binom{k-1}j$, are the sides of (4.4.20) for $\mu=j$ and of (4.4.22).
 :degrees: all
 :over: t S# b c j h A B C U: -
 :control: $S_j-bS_{j-1}$ in (1)
@@ -761,10 +795,11 @@ CLAIM(powers_of_t_from_derivatives)
 :holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: powers_of_t_from_symmetric_functions
-:needs: marsden_identity_ends_with_the_span | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed
+:needs: marsden_identity_ends_with_the_span | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed; the
+  example is of (4.4.13), and at $x=0$ both of its sides are those of $j=1$ with the other sign
 :figure: powers_from_averages
 
-For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
+$j=0,\dots,k-1$, as $\mu$ in (4.4.20), of which it is another form.  For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
 :::
 
 The coefficient of $t^j$ is the symmetric function divided by the number of its terms, a mean of products of $j$ inner
@@ -822,6 +857,8 @@ For $j=0$ the sum has one term, the empty product 1.
 :holds-by: coefficients_of_marsden_in_every_order
 :confirmed-by: derivatives_of_omega_are_symmetric
 :figure: powers_from_averages
+
+$j=0,\dots,k-1$, as $\mu$ in (4.4.20).
 :::
 */
 

@@ -29,6 +29,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :then: $\det H=\prod_{i<j}(t_j-t_i)$, and row $i$ of $H$ is $1,t_i,\dots,t_i^k$
 :method: The determinant of the kernel's matrix, and its product formula, against the product of the differences.
 :degrees: k = 0..5 sampled 8
+:scope: simple knots
 :over: t#: nodes
 :control: the order of the last two nodes exchanged in the product
 :::
@@ -149,7 +150,9 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the formula for the divided difference before it has in front of $f(t_l)$ as
   printed: so read it is $-N_{0,1}$ for $k=1$
 :corrected: \alpha_l=\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_l-t_j)\Bigr]^{-1}
-:corrected-by: simple_basis_from_weights simple_difference_has_factors_of_both_orders
+:corrected-by: simple_basis_from_weights
+:confirmed-by: simple_difference_has_factors_of_both_orders
+:needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1, from which it is taken: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: simple_knots_sign
 
 Nothing in the source says what $\alpha_l$ is.
@@ -159,8 +162,9 @@ Nothing in the source says what $\alpha_l$ is.
 :title: The sum over the knots to the right of the span
 :zh: 区间右侧节点求和得 B 样条基
 :given: orders $k$, simple knots and $t$ variables
-:then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1
-:method: The weights of `divided_weights`, the B-splines by definition.
+:then: $(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}=N_{i,k}(t)$ with the weights $\alpha_l$ of lemma 4.4.1, which are
+  $\bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_l-t_j)\bigr]^{-1}$
+:method: The weights of `divided_weights`, each against the product, and in the sum, against the B-splines by definition.
 :degrees: 0..5 sampled 7
 :scope: simple knots
 :over: t#: knots
@@ -177,6 +181,10 @@ CLAIM(simple_basis_from_weights)
     for (int i = 0; i < k; i++) {
         num sum = from_int(0);
         G(divided_weights)(k + 1, l, S.t + i, alpha);
+        about(T, "the weights");
+        for (int m = i; m <= i + k; m++)
+            same(T, mul(alpha[m - i], G(product_of_differences)(S.t, i, k, m, 0)), from_int(1));
+        about(T, "the sum");
         for (int m = fault(T, S.r + 1, S.r); m <= i + k; m++)
             sum = add(sum, mul(alpha[m - i], G(power)(sub(S.t[m], t), k - 1)));
         /* (t_i+k - t_i) Σ_{l > r} α_l (t_l - t)^(k-1) = N_i,k(t) */
@@ -206,11 +214,10 @@ static num G(printed_entry)(const struct G(span) * S, int i, int j, int letter, 
 :kind: counterexample
 :given: $k=1$ and $r=i=0$, the two knots $t_i$ of $N_{0,1}$ and a $t$ between them; $\alpha_1=1/(t_0-t_1)$, the printed factor
 :data: t_i = 0 1; t = 1/2
-:then: the sum $(t_1-t_0)\alpha_1(t_1-t)^0$, and the only coefficient of its powers of $u$, $a_{00}=(t_1-t_0)(t_1-t_0)^0/(t_0-t_1)$, are the negative of
-  $N_{0,1}(t)$
-:result: the sum = -1; a_00 = -1; N_0,1(t) = 1
-:method: Both formulas by their letter; the exponents $k-1-j$ and $k-l-j$ with $j=0$ and $l=r+1=1$ are both 0.
-:control: the factors $t_l-t_\alpha$
+:then: the sum $(t_1-t_0)\alpha_1(t_1-t)^0$ is the negative of $N_{0,1}(t)$
+:result: the sum = -1; N_0,1(t) = 1
+:method: The formula by its letter; the function by the definition of the B-splines.
+:control: the factor $t_1-t_0$
 :::
 */
 CLAIM(printed_weights_give_the_negative_basis)
@@ -221,18 +228,38 @@ CLAIM(printed_weights_give_the_negative_basis)
     struct G(span) S = G(span_of_pattern)(1, 0, x);
     num alpha = div(from_int(1), G(product_of_differences)(S.t, 0, 1, 1, fault(T, 0, 1)));
     num sum = mul(mul(sub(S.t[1], S.t[0]), alpha), G(power)(sub(S.t[1], t), 0));
-    num a = G(printed_entry)(&S, 0, 0, 1, fault(T, 0, 1)), value = G(basis_value)(&S, 0, 1, t);
+    num value = G(basis_value)(&S, 0, 1, t);
     found(T, "the sum", sum);
-    found(T, "a_00", a);
     found(T, "N_0,1(t)", value);
     about(T, "the sum, and N_0,1(t)");
     same(T, sum, value);
-    about(T, "a_00, and N_0,1(t)");
+}
+
+/*
+:::{claim} printed_entry_of_order_one_is_negative
+:title: For k = 1 the printed entry is the negative of the only one
+:zh: k=1 时印出的元素为正确元素的负值
+:kind: counterexample
+:given: $k=1$ and $r=i=j=0$, the two knots $t_i$ of $N_{0,1}$, numbered from 0
+:data: t_i = 0 1
+:then: the only entry of the matrix is $N_{0,1}(t_0)$; as printed, $a_{00}=(t_1-t_0)(t_1-t_0)^0/(t_0-t_1)$, it is the negative
+:result: the printed a_00 = -1; N_0,1(t_0) = 1
+:method: The printed formula by its letter; its exponent $k-l-j$, in which $l=r+1=1$, is 0, as $k-1-j$ is.
+:control: the factors $t_l-t_\alpha$
+:::
+*/
+CLAIM(printed_entry_of_order_one_is_negative)
+{
+    num x[2];
+    given_points(T, "t_i", 2, 1, x);
+    struct G(span) S = G(span_of_pattern)(1, 0, x);
+    num a = G(printed_entry)(&S, 0, 0, 1, fault(T, 0, 1)), value = G(basis_value)(&S, 0, 1, x[0]);
+    found(T, "the printed a_00", a);
+    found(T, "N_0,1(t_0)", value);
+    about(T, "the printed a_00, and N_0,1(t_0)");
     same(T, a, value);
 }
-#endif
 
-#if RATIONAL
 /*
 :::{claim} printed_expansion_gives_the_negative_basis
 :title: For k = 3 the printed expansion is the negative B-spline
@@ -273,6 +300,7 @@ CLAIM(printed_expansion_gives_the_negative_basis)
 :refuted-by: printed_expansion_gives_the_negative_basis
 :corrected: the same with $t_l-t_\alpha$: as printed it is $(-1)^kN_{i,k}$
 :corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
+:needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1, from which it is taken: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: simple_knots_sign
 :::
 
@@ -340,7 +368,7 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
 :printed: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-l-j}\Big/\prod_{\alpha=i,\,
   \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr],\quad i=r-k+1,r-k+2,\dots,r;\ j=0,1,\dots,k-1
 :class: misprint
-:refuted-by: printed_weights_give_the_negative_basis exponent_with_the_letter_fails
+:refuted-by: printed_entry_of_order_one_is_negative exponent_with_the_letter_fails
 :corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha=i,\,\alpha\ne l}^{i+k}
   (t_l-t_\alpha)}
 :corrected-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
@@ -849,6 +877,8 @@ Here the exponent is printed right.  The index $t$ of the matrix is the order $k
 :holds-by: uniform_matrix_is_the_matrix
 :confirmed-by: coefficient_matrix_is_affinely_invariant
 :figure: uniform_matrices
+
+Another $r$ is another first knot: around $[r,r+1)$ it is $r-k+1$.
 :::
 */
 
