@@ -1147,6 +1147,11 @@ class Schemas(Case):
                      ["curve", CIRCLE, "--json"], ["curve", CIRCLE, "--json", "--at", "1/3", "--at", "2", "-d", "3"]):
             with self.subTest(args=args):
                 self.fits(self.said(*args))
+        with tempfile.TemporaryDirectory() as folder: # formulas of all kinds, and what is certified of them
+            r = run("check", "--json", "--certificates", folder, ROOT / "proofs-tests/check/page.md")
+            self.fits(json.loads(r.stdout))
+            for path in pathlib.Path(folder).rglob("*.json"):
+                self.fits(json.loads(path.read_text()))
 
     @unittest.skipUnless(pathlib.Path(CAGD).with_name("cagd-compile-exactly").exists(), "built without LLVM")
     def test_code_that_is_run_exactly(self):
