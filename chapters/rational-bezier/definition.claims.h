@@ -268,8 +268,8 @@ CLAIM(rational_point_is_weighted_mean)
 :zh: 仿射坐标下的曲线
 :printed: \mathbf R(t)=(x(t),y(t),z(t))=\left(\frac{X(t)}{\omega(t)},\frac{Y(t)}{\omega(t)},\frac{Z(t)}{\omega(t)}\right)
   =\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i\Big/\sum_{i=0}^nB_i^n(t)\omega_i,\quad\mathbf R_i=(x_i,y_i,z_i),\ 0\le t\le1
-:holds-by: homogeneous_point_determines_point_and_weight mean_grows_by_one_term
-:confirmed-by: rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives positive_terms_make_a_convex_mean
+:holds-by: mean_grows_by_one_term
+:confirmed-by: homogeneous_point_determines_point_and_weight rational_point_is_weighted_mean rational_derivatives_are_formal_derivatives positive_terms_make_a_convex_mean
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega(t)\ne0$; for which positive weights suffice: otherwise there may be no point.
 :figure: homogeneous_line
@@ -505,7 +505,7 @@ CLAIM(denominator_may_be_positive_with_negative_weight)
   an inner weight: nearer is to be read as "not farther, and nearer for $0<t<1$ unless it is there already".
 :figure: growing_weight
 
-Every point $R(t)$, $0<t<1$, moves on the straight line to $R_i$, all the way as $\omega_i\to\infty$.
+Every point $R(t)$, $0<t<1$, that is not $R_i$ already moves on the straight line to $R_i$, all the way as $\omega_i\to\infty$.
 :::
 
 The source appeals to experiments.  The reason is one line: when $\omega_i$ grows by $\delta$, the point $R_i$ is added to
@@ -689,7 +689,7 @@ CLAIM(ends_do_not_move_with_inner_weight)
 :argued: | That two kinds of curves are similar is a judgement.  It rests here on the properties that both have: invariance, symmetry, the ends, the
   convex hull, elevation, each as in the list that follows.
 :meant: the list that follows | The properties of that list, as far as they are true; decided here of 3.2.1 to 3.2.3, 3.2.5 and 3.2.6.
-:needs: curve_leaves_hull_with_negative_weight | § 3.2, the line before: one usually prescribes $\omega_i>0$ | the weights are
+:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: for the convex hull
 :confirmed-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images
   reversed_points_and_weights_reverse_the_curve curve_leaves_its_ends_along_the_first_edges
@@ -736,11 +736,13 @@ weights together.  Other readings are tried, and they fail already for a segment
 :printed: Geometric invariance and affine invariance.
 :holds-by: mean_grows_by_one_term
 :confirmed-by: affine_image_of_the_curve_is_the_curve_of_the_images
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  $\omega(t)\ne0$; for which positive weights suffice: otherwise there may be no point.
 :meant: (3.2.2), the curve of the properties, whose points are the $R_i$ | The curve does not depend on the coordinate system,
   and an affine map of the points $R_i$, their weights kept, maps the curve.
 :reading: translated_homogeneous_points_give_no_translate | Read for the homogeneous control points $\tilde{\mathbf R}_i$
   of definition 3.2.1, to whose first three coordinates the map is applied: a translation need not
-  translate the curve, when the weights are not $1$.
+  translate the curve, when the weights are not all $1$.
 :figure: affine_image
 
 No sign of the weights is needed, only $\omega(t)\ne0$.
@@ -788,11 +790,11 @@ CLAIM(affine_image_of_the_curve_is_the_curve_of_the_images)
 :data: R = 0 1; ω = 1 2; d = 1
 :instead: ω = 1 1
 :result: (X, ω) = (0,1) (2,2); (X+d, ω) = (1,1) (3,2); R(1) = 1; R(1), moved = 3/2
-:given: two points of the line, weights that are not equal, and a number $d$, which is added to the first coordinates of
+:given: two points of the line, weights that are not both 1, and a number $d$, which is added to the first coordinates of
   the homogeneous points $(X_i,\omega_i)$
 :then: the end of the curve does not move by $d$
 :method: Both curves are computed exactly at the last parameter.
-:control: equal weights
+:control: both weights 1
 :::
 */
 CLAIM(translated_homogeneous_points_give_no_translate)

@@ -401,7 +401,7 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 
 Two slips that do not depend on each other.  The factor is $n!/(n-h)!$; since $k+h\le n+1$, the printed one differs from it
 for the first time at $n=3$.  And the sign $(-1)^{h+1}$ is missing: for even $h$ the derivative points the other way.  The
-print is right for $h=k$ odd, in particular for simple end points.
+print is right for $h=k$ odd, in particular for simple end points, and for $h=1$, $k=2$, $n=2$.
 :::
 
 ### In every degree
@@ -565,6 +565,8 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
   +t^{k+1}\sum_{i=k+1}^n\binom ni(1-t)^{n-i}t^{i-k-1}\omega_i(\mathbf R_i-\mathbf R_0)\right\}\Big/\omega(t)$
 :holds-by: mean_grows_by_one_term
 :confirmed-by: curve_expands_about_its_first_point first_power_decides_the_end_derivative
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+  $\omega(t)\ne0$; for which positive weights suffice: otherwise there may be no point.
 
 The differences $\mathbf R_i-\mathbf R_0$ have the same mean as the points, less $\mathbf R_0$: this is the claim with $f(X)=X-\mathbf R_0$, coordinate by
 coordinate.  Those with $i<k$ are 0, and $B_i^n(t)=\binom ni(1-t)^{n-i}t^i$ is written out.

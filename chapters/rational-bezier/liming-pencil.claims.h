@@ -116,7 +116,7 @@ CLAIM(conics_touching_two_lines_are_limings)
 :zh: 两条平行线时亦然
 :given: $l_1=x-1$, $l_2=x+1$, $l_3=y$, $R_0=(1,0)$, $R_2=(-1,0)$, a number $\lambda$, and any conic $S$
 :let: $c_1=S(R_0)$, $c_2=S(R_2)$, $c_3=S_y(R_0)$, $c_4=S_y(R_2)$
-:then: the gradient of $(1-\lambda)l_1l_2+\lambda l_3^2$ is $(1-\lambda)(2,0)$ in $R_0$ and $(1-\lambda)(-2,0)$ in $R_2$;
+:then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is 0 in $R_0$ and $R_2$, with the gradients $(1-\lambda)(2,0)$ and $(1-\lambda)(-2,0)$;
   and $S=A\,l_1l_2+C\,l_3^2+\frac{c_3-c_4}2xy+\frac{c_1-c_2}2x+\frac{c_3+c_4}2y+\frac{c_1+c_2}2$, so that a conic through
   $R_0$ and $R_2$ whose gradient has no component along the lines there, all $c_i$ being 0, is a combination of $l_1l_2$
   and $l_3^2$
@@ -134,6 +134,9 @@ CLAIM(conics_touching_parallel_lines_are_limings)
     G(conic_liming)(lambda, l1, l2, l3, M);
     G(conic_gradient)(M, one, zero, g0);
     G(conic_gradient)(M, minus, zero, g2);
+    about(T, "the members at R0 and R2");
+    vanishes(T, G(form)(M, one, zero));
+    vanishes(T, G(form)(M, minus, zero));
     about(T, "the gradients of the members");
     same(T, g0[0], mul(mu, from_int(2)));
     same(T, g2[0], mul(mu, from_int(-2)));
@@ -257,12 +260,14 @@ CLAIM(limings_pencil_misses_one_conic)
 :zh: 由三条直线决定的二次曲线束
 :printed: The caption of figure 3.1.1: the pencil of conics that is determined by three lines.
 :holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings every_scaling_takes_the_normal_form
+:hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3^2=0$ is missing, and
+  with other factors of the three equations it is another conic that is missing.
 :needs: flat_frame_has_no_tangent | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of the three lines | $R_0$, $R_1$, $R_2$ do not
   lie on a line; three lines through one point have no such conics
 :meant: the text that refers to the figure, where $l_3$ joins the points of contact on $l_1$ and $l_2$ | One of the lines is the chord, the
   two others are tangents.
-:reading: every_scaling_takes_the_normal_form | The lines have these parts: then the pencil is determined by them, whatever factors
-  their equations have.
+:reading: every_scaling_takes_the_normal_form | The lines have these parts: then the pencil, $\lambda=\infty$ admitted, is determined
+  by them, whatever factors their equations have.
 :reading: three_lines_have_three_pencils | Three lines without parts: each of them may be the chord, and with another chord the pencil is
   another one.
 
@@ -351,13 +356,13 @@ CLAIM(affine_coordinates_exist)
 :title: Three points on a line are no frame of the plane
 :zh: 三点共线不成标架
 :kind: counterexample
-:data: R = (0,0) (1,0) (2,0); (x,y) = (0,0) (1,1)
-:instead: R = (0,0) (1,0) (2,1)
-:result: determinant of the frame = 0; R(x,y) = (1,0) (1,0)
-:given: three points $R_0$, $R_1$, $R_2$ on a line, and two pairs $(x,y)$
+:data: R = (0,0) (0,0) (1,0); (x,y) = (0,0) (1,0)
+:instead: R = (0,1) (0,0) (1,0)
+:result: determinant of the frame = 0; R(x,y) = (0,0) (0,0)
+:given: three points $R_0=R_1$ and $R_2$ on a line, and two pairs $(x,y)$; $l_1$ is any other line through $R_0$, so that it meets $l_2=R_1R_2$ in $R_1$
 :then: $(R_0-R_1)\times(R_2-R_1)=0$, and both pairs have the same point $R(x,y)$, which so has more than one pair
 :method: The determinant of the frame and the two points are computed; that different pairs have different points is refuted.
-:control: $R_2$ moved off the line
+:control: $R_0$ moved off the line
 :::
 */
 CLAIM(collinear_points_are_no_frame)
@@ -394,8 +399,8 @@ new number, unless the equations are scaled to fit.  And the frame needs the poi
   With parallel tangents, as of a half circle, there is no $R_1$.
 :needs: collinear_points_are_no_frame | the sentence itself: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not
   lie on a line: they form an affine frame.
-:reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter; then it is always so, with one of the two
-  signs.
+:reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter; then it is so for each conic of the
+  pencil, with one of the two signs.
 :reading: scaled_lines_change_lambda | $\lambda$ is the same number in both.  This is so, with the minus sign, when
   the lines are written as determinants of their points (`limings_pencil_in_the_frame`), and not for all factors of
   their equations.

@@ -276,8 +276,8 @@ CLAIM(rational_form_contains_the_polynomial_one)
 
 /*
 :::{claim} tangent_conics_are_rational_quadratics
-:title: Every conic that touches two sides of a triangle at their ends is a rational quadratic
-:zh: 切于三角形两边的二次曲线都是有理二次曲线
+:title: Every conic that touches two sides of a triangle at their ends carries a rational quadratic
+:zh: 切于三角形两边的二次曲线上都有有理二次曲线
 :given: a triangle $R_0R_1R_2$ with the coordinates $R=R_1+x(R_0-R_1)+y(R_2-R_1)$, and a conic
   $\mu\,xy+\nu(x+y-1)^2=0$, $\mu\nu\ne0$
 :where: the conic is no pair of lines

@@ -164,30 +164,41 @@ static num G(printed_cut)(num lambda, num x, num y, num z, int other)
 
 /*
 :::{claim} tangent_cuts_the_sides
-:title: Where the tangent cuts the two sides
-:zh: 切线截两边的点
-:given: a point $R=(x,y)$ with $xy\ne0$ and the conic $S$ of the family through it, with the minus sign, and with the plus sign
-:where: $xy\ne0$
-:let: $s=x+y-1$
-:then: with the minus sign the tangent at $R$ meets $Y=0$ where $X=\frac{-2\lambda s}{(1-\lambda)y-2\lambda s}$, and $X=0$ where
-  $Y=\frac{-2\lambda s}{(1-\lambda)x-2\lambda s}$; with the plus sign $2\lambda s$ stands for $-2\lambda s$
-:method: The common points are $X=x+yS_y/S_x$ and $Y=y+xS_x/S_y$; with $\lambda=\frac{xy}{xy\pm s^2}$ both sides are
-  rational functions of $x$ and $y$.
+:title: Where the tangent cuts the two sides, and the ratios there
+:zh: 切线截两边的点与两个比
+:given: a point $R=(x,y)$, a number $\lambda$ and the conic $S$ of (3.1.4), with either sign $\sigma$
+:let: $s=x+y-1$, $X_A=x+y\frac{S_y}{S_x}$, $Y_B=y+x\frac{S_x}{S_y}$, and $S$ be its value at $R$
+:then: $S_x=(1-\lambda)y+2\sigma\lambda s$, $S_y=(1-\lambda)x+2\sigma\lambda s$; $X_A=\frac{2\sigma\lambda s}{(1-\lambda)y+2\sigma\lambda s}+\frac{2S}{S_x}$,
+  $Y_B=\frac{2\sigma\lambda s}{(1-\lambda)x+2\sigma\lambda s}+\frac{2S}{S_y}$; $\frac{X_A}{1-X_A}=\frac{2\sigma\lambda s+2S}{(1-\lambda)y-2S}$,
+  $\frac{Y_B}{1-Y_B}=\frac{2\sigma\lambda s+2S}{(1-\lambda)x-2S}$
+:method: Identities in $x$, $y$ and $\lambda$.  For a point of the curve, $S=0$, the line with the direction $(S_y,-S_x)$ is the tangent, and meets $Y=0$ in
+  $(X_A,0)$ where $S_x\ne0$, $X=0$ in $(0,Y_B)$ where $S_y\ne0$; with the minus sign these are the printed formulas.  Where $S_x\ne0$ it is
+  $(1-\lambda)y\ne0$, too: with $(1-\lambda)y=0$ the equation of the curve would be $\lambda s^2=0$, and $S_x=0$; so with $S_y$ and $(1-\lambda)x$.
+:over: k: λ
 :control: $2\lambda s$ with the minus sign, $-2\lambda s$ with the plus sign
 :::
 */
 CLAIM(tangent_cuts_the_sides)
 {
-    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), S[6], X, Y;
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), lambda = unknown(T, "k", 0), one = from_int(1), S[6], g[2];
+    num s = sub(add(x, y), one), mu = sub(one, lambda), cut[2], other[2] = {y, x};
     for (int sign = -1; sign < 2; sign += 2) {
-        num lambda = G(lambda_at)(x, y, sign);
         int plus = fault(T, sign > 0, sign < 0);
         G(frame_conic)(lambda, sign, S);
-        G(tangent_cuts)(S, x, y, &X, &Y);
-        about(T, "the cut with the first side");
-        same(T, X, G(printed_cut)(lambda, x, y, y, plus));
-        about(T, "the cut with the second side");
-        same(T, Y, G(printed_cut)(lambda, x, y, x, plus));
+        G(conic_gradient)(S, x, y, g);
+        G(tangent_cuts)(S, x, y, &cut[0], &cut[1]);
+        num twice = mul(from_int(2), G(form)(S, x, y)), part = mul(mul(from_int(plus ? 2 : -2), lambda), s);
+        for (int side = 0; side < 2; side++) {
+            num rest = mul(mu, other[side]);
+            about(T, side == 0 ? "S_x" : "S_y");
+            same(T, g[side], add(rest, part));
+            about(T, side == 0 ? "the cut with the first side" : "the cut with the second side");
+            /* X_A = 2σλs/((1-λ) y + 2σλs) + 2S/S_x */
+            same(T, cut[side], add(G(printed_cut)(lambda, x, y, other[side], plus), div(twice, g[side])));
+            about(T, side == 0 ? "the first ratio" : "the second ratio");
+            /* X_A/(1 - X_A) = (2σλs + 2S)/((1-λ) y - 2S) */
+            same(T, div(cut[side], sub(one, cut[side])), div(add(part, twice), sub(rest, twice)));
+        }
     }
 }
 
@@ -399,29 +410,30 @@ CLAIM(lengths_do_not_tell_points_apart)
 :title: The first ratio
 :zh: g_1 的表达式
 :printed: g_1=\frac{X_A}{1-X_A}=\frac{-2\lambda(x+y-1)}{(1-\lambda)y}
-:holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
+:holds-by: tangent_cuts_the_sides ratios_of_lengths_inside_the_triangle
+:confirmed-by: ratios_on_the_curve
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_1$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | the sign in (3.1.4) is minus.
 :needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_x'\ne0$; as
   in the triangle when $0<\lambda<1$; else the tangent does not cut the side in one point.
-:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_0$: there the
-  tangent is the side.
 
-On the curve both ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
+In $R_0$ the tangent is the side itself, with $S_x'=0$; in $R_2$ it is $l_2$, $A$ is $R_1$ and $g_1=0$, as printed.  On the curve, where $x+y\ne1$, both
+ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$.
 :::
 
 :::{statement} wang-ch3:3.1-g2
 :title: The second ratio
 :zh: g_2 的表达式
 :printed: In the same way $g_2=\frac{-2\lambda(x+y-1)}{(1-\lambda)x}$.
-:holds-by: ratios_on_the_curve ratios_of_lengths_inside_the_triangle
+:holds-by: tangent_cuts_the_sides ratios_of_lengths_inside_the_triangle
+:confirmed-by: ratios_on_the_curve
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign; the
   example is to be read with $x$ and $y$ exchanged.
 :hypothesis: plus_sign_turns_the_ratio | the sign in (3.1.4) is minus; the example is to be read with $x$ and $y$ exchanged.
 :needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ |
   $S_y'\ne0$; as in the triangle when $0<\lambda<1$; the example is to be read with $x$ and $y$ exchanged.
-:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_2$: there the
-  tangent is the side.
+
+In $R_2$ the tangent is the side itself, with $S_y'=0$; in $R_0$ it is $l_1$, $B$ is $R_1$ and $g_2=0$, as printed.
 :::
 
 With $s=x+y-1$ the relation $(1-\lambda)xy=\lambda s^2$ turns the printed $g_1=\frac{-2\lambda s}{(1-\lambda)y}$ into
