@@ -358,7 +358,9 @@ CAGD_API cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_o
  * deviation, where distances count up to 2.5 of them, outliers and ends do not, and the scatter is that of all or of these and 32 on
  * either side, whichever is larger; what the bend of the
  * curve makes of it is taken off, and where it turns on a radius of less than five deviations nothing is said; the
- * probability is that by chance any of all these windows has such a mean, at most. */
+ * probability is that by chance any of all these windows has such a mean: of independent errors of one distribution every order is as likely, and
+ * it is the part of up to 499 orders, drawn by a fixed seed, in which a window reaches it; where it is less than 1/1000, the sum over all windows,
+ * which is more than the probability of any.  Source: besag-clifford-1991. */
 typedef struct cagd_fit_runs {
     int pairs, same;
     double probability;
