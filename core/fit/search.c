@@ -51,8 +51,8 @@ int fit_search_fewest_knots(const fit_search *s) { return s->options->closed ? s
 
 int fit_search_problems(const fit_search *s, const cagd_fit_result *r)
 {
-    int problems;
-    *s->without_memory |= fit_problems_of(s->data, s->options, r, &problems) == CAGD_NO_MEMORY;
+    int problems, beneath;
+    *s->without_memory |= fit_problems_of(s->data, s->options, r, &problems, &beneath) == CAGD_NO_MEMORY;
     return problems;
 }
 
