@@ -82,8 +82,8 @@ static double unit_of(const cagd_fit_data *data)
     double scale = 1;
     for (int places = 0; places <= 9; places++, scale *= 10) {
         int k = 0;
-        while (k < data->count * data->dim &&
-               fabs(data->points[k] * scale - rint(data->points[k] * scale)) <= 4 * DBL_EPSILON * fabs(data->points[k] * scale))
+        while (k < data->count * data->dim && fabs(data->points[k] * scale - rint(data->points[k] * scale)) <=
+                                                  4 * DBL_EPSILON * fabs(data->points[k] * scale))
             k++;
         if (k == data->count * data->dim)
             return 1 / scale;
