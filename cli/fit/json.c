@@ -246,7 +246,9 @@ static json_t *quality_json(const struct fit *f)
         json_array_append_new(list, json_string(sentence[k]));
         free(sentence[k]);
     }
-    return json_pack("{s:b, s:o, s:i, s:i, s:o, s:o, s:o, s:o, s:i, s:o, s:o}", "good", count == 0, "problems", list, "crossings",
+    static const char *const beneath[] = {NULL, "digits", "deviations", "size"};
+    return json_pack("{s:b, s:o, s:s?, s:i, s:i, s:o, s:o, s:o, s:o, s:i, s:o, s:o}", "good", count == 0, "problems", list,
+                     "structure_beneath", beneath[q->beneath], "crossings",
                      q->crossings, "crossings_of_points", q->crossings_of_points, "widest_gap", real(q->gap),
                      "same_side", json_integer(q->runs.same), "pairs", json_integer(q->runs.pairs), "probability",
                      real(q->runs.probability), "far_off", q->strays, "part", part_json(&q->runs), "tried", cures_json(f));

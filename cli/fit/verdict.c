@@ -248,6 +248,39 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
     return count;
 }
 
+/* What is said of distances with structure that is no problem, or NULL. */
+static const char *beneath_what(const struct fit *f)
+{
+    switch (f->quality.beneath) {
+    case CAGD_FIT_BENEATH_DIGITS:
+        return "all of them are within half a cell of the last decimal place";
+    case CAGD_FIT_BENEATH_DEVIATIONS:
+        return "all of them are within the given standard deviations";
+    case CAGD_FIT_BENEATH_SIZE:
+        return "all of them are within a hundred-thousandth of the extent of the points";
+    case CAGD_FIT_BENEATH_NOTHING:
+        break;
+    }
+    return NULL;
+}
+
+/* Structure that is told and not held against the fit. */
+static void print_beneath(const struct fit *f)
+{
+    const cagd_fit_runs *runs = &f->quality.runs;
+    const char *what = beneath_what(f);
+    if (what == NULL)
+        return;
+    if (runs->local_probability < runs->probability)
+        say("Structure",
+            "from t = %.4g to %.4g the curve passes %d points by on one side, by chance that is so somewhere with probability %.1g; not held against "
+            "the fit, since %s",
+            runs->from, runs->to, runs->points, runs->local_probability, what);
+    else
+        say("Structure", "%d of %d neighbours lie on the same side, by chance that is so with probability %.1g; not held against the fit, since %s",
+            runs->same, runs->pairs, runs->probability, what);
+}
+
 /* Points that squares follow, though their errors are of another kind. */
 static void print_strays(const struct fit *f)
 {
@@ -281,10 +314,12 @@ void print_quality(const struct fit *f)
     }
     text_close(out, &text);
     if (count == 0)
-        say("Fit", "nothing was found against it: no loops or excursions, no gaps, no structure in the distances");
+        say("Fit", "nothing was found against it: no loops or excursions, no gaps%s",
+            beneath_what(f) != NULL ? "; structure as below" : ", no structure in the distances");
     else
         say("Fit", "NOT good, whatever is said of the minimum%s", text);
     free(text);
+    print_beneath(f);
     print_strays(f);
     print_cures(f);
 }

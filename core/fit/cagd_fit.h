@@ -195,10 +195,10 @@ typedef struct cagd_fit_ellipse {
 } cagd_fit_ellipse;
 
 /* Some kind of curve that was tried.  score: see cagd_fit_choose.  problems: what is not good about it, see cagd_fit_quality; all of it
- * where it does not count. */
+ * where it does not count.  beneath: 1 where its distances have structure that is no problem, but counts beside a candidate without. */
 typedef struct cagd_fit_candidate {
     char name[64];
-    int unknowns, converged, problems;
+    int unknowns, converged, problems, beneath;
     double score, rms;
 } cagd_fit_candidate;
 
@@ -358,7 +358,9 @@ CAGD_API cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_o
  * deviation, where distances count up to 2.5 of them, outliers and ends do not, and the scatter is that of all or of these and 32 on
  * either side, whichever is larger; what the bend of the
  * curve makes of it is taken off, and where it turns on a radius of less than five deviations nothing is said; the
- * probability is that by chance any of all these windows has such a mean, at most. */
+ * probability is that by chance any of all these windows has such a mean: of independent errors of one distribution every order is as likely, and
+ * it is the part of up to 499 orders, drawn by a fixed seed, in which a window reaches it; where it is less than 1/1000, the sum over all windows,
+ * which is more than the probability of any.  Source: besag-clifford-1991. */
 typedef struct cagd_fit_runs {
     int pairs, same;
     double probability;
@@ -455,7 +457,8 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * EXCURSIONS   the curve is longer than 1.26 times the polygon of the points, cagd_fit_length_ratio
  * LOOPS        in the plane: it crosses itself more often than that polygon does
  * GAPS         between two neighbouring feet lies more than a tenth of its length, and more than four times the usual part of it
- * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, or some of them by more than so, cagd_fit_runs_of
+ * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, or some of them by more than so, cagd_fit_runs_of;
+ * no problem where all distances are beneath what the points are given to, cagd_fit_beneath
  * FAR          a control point is farther from the points than these are from one another
  * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than
  * 6 times their root mean square along the curve: one in twenty of them, or one by 12 times that and a tenth of the length
@@ -474,6 +477,17 @@ enum {
     CAGD_FIT_SIMPLE = 128
 };
 
+/* What all distances are beneath, so that structure in them says nothing about what was measured.  DIGITS: half the diagonal of a cell of the last
+ * decimal place that is written, at most nine behind the point.  DEVIATIONS: the given standard deviations.  SIZE: without these, 10^-5 of the extent
+ * of the points, the diagonal of their box, and 10^-4 of their width, twice the largest distance from their main axis; the finest grade of tolerances
+ * of workpieces, IT01 of ISO 286-1, is about that. */
+typedef enum cagd_fit_beneath {
+    CAGD_FIT_BENEATH_NOTHING,
+    CAGD_FIT_BENEATH_DIGITS,
+    CAGD_FIT_BENEATH_DEVIATIONS,
+    CAGD_FIT_BENEATH_SIZE
+} cagd_fit_beneath;
+
 enum { CAGD_FIT_STRAYS = 3 };
 
 typedef struct cagd_fit_quality {
@@ -482,6 +496,7 @@ typedef struct cagd_fit_quality {
     int crossings, crossings_of_points; /* of the curve with itself, of the polygon                 */
     double gap, gap_from, gap_to;       /* the widest one as a part of the length, between two parameters */
     cagd_fit_runs runs;
+    cagd_fit_beneath beneath; /* of distances with structure that is no problem; otherwise NOTHING                 */
     int far;       /* the control point; -1: none                                            */
     int backwards; /* how many feet                                                          */
     int strays;    /* points of another kind of error, which squares follow: alone, and farther than ten standard deviations as the median of

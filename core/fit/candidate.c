@@ -37,14 +37,16 @@ int fit_is_good(const cagd_fit_data *data, const cagd_fit_options *options, cons
 }
 
 cagd_status fit_problems_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
-                            int *problems)
+                            int *problems, int *beneath)
 {
     cagd_fit_quality quality;
-    *problems = ~0;
+    *problems = ~0, *beneath = 0;
     REQUIRE(fit_is_good(data, options, r), CAGD_OK);
     const cagd_status status = cagd_fit_quality_of(data, options, r, &quality);
-    *problems = status == CAGD_OK ? quality.problems : ~0;
-    return status;
+    REQUIRE(status == CAGD_OK, status);
+    *beneath = quality.beneath != CAGD_FIT_BENEATH_NOTHING && quality.beneath != CAGD_FIT_BENEATH_DIGITS;
+    *problems = quality.problems | (*beneath ? CAGD_FIT_STRUCTURE : 0);
+    return CAGD_OK;
 }
 
 double fit_equations_of(const cagd_fit_data *data) { return (double)data->count * (data->dim - 1); }

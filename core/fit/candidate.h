@@ -7,9 +7,10 @@
 /* Whether a curve counts: a minimum without excursions that no points show. */
 int fit_is_good(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *result);
 
-/* *problems: what is not good about a curve, as cagd_fit_quality_of says; all of it where the curve does not count.  OK, NO_MEMORY. */
+/* *problems: what is not good about a curve, as cagd_fit_quality_of says; all of it where the curve does not count.  Structure is among them where
+ * it is beneath standard deviations or size, *beneath = 1: a curve that has none is better still.  OK, NO_MEMORY. */
 cagd_status fit_problems_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *result,
-                            int *problems);
+                            int *problems, int *beneath);
 
 /* A difference of scores that is very strong evidence against the curve with the higher one.  Source: kass-raftery-1995. */
 enum { FIT_VERY_STRONG = 10 };

@@ -36,11 +36,14 @@ cagd_fit_choices cagd_fit_choices_all(void)
     return (cagd_fit_choices){.closed = -1, .form = 1, .count = 1, .weights = 1, .smooth = 2};
 }
 
+/* What speaks against a candidate beside another one: structure that is beneath what the points are given to, too. */
+static int against(const cagd_fit_candidate *c) { return c->problems | (c->beneath ? CAGD_FIT_STRUCTURE : 0); }
+
 /* Whether the best candidate, a conic in one segment or an ellipse, does for the points: nothing but a gap between them is found against it.  A
  * conic whose middle point is far away, an arc of nearly a half turn, is better told by centre and axes. */
 static int is_enough(const cagd_fit_data *data, const cagd_fit_found *found, const cagd_fit_result *r)
 {
-    return !(found->candidate[0].problems & ~CAGD_FIT_GAPS) &&
+    return !(against(&found->candidate[0]) & ~CAGD_FIT_GAPS) &&
            (r->points_on_curve || r->rms <= extent_of(data) * SMALL);
 }
 
@@ -52,7 +55,7 @@ static int own_count(const cagd_fit_result *r) { return r->period > 0 ? r->perio
 static int shows_simple(const cagd_fit_candidate *c, const cagd_fit_candidate *simple)
 {
     const int astray = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_BACKWARDS;
-    return simple->problems == 0 && !(c->problems & astray) && c->score < simple->score - FIT_VERY_STRONG;
+    return against(simple) == 0 && !(c->problems & astray) && c->score < simple->score - FIT_VERY_STRONG;
 }
 
 /* Whether a candidate is better than the best one so far: one against which nothing is found before one with problems, then the lower score.
@@ -60,8 +63,8 @@ static int shows_simple(const cagd_fit_candidate *c, const cagd_fit_candidate *s
 static int is_better(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_candidate *c,
                      const cagd_fit_result *one, const cagd_fit_candidate *b, const cagd_fit_result *best)
 {
-    if ((c->problems == 0) != (b->problems == 0))
-        return c->problems == 0;
+    if ((against(c) == 0) != (against(b) == 0))
+        return against(c) == 0;
     if (!isinf(c->score) || !isinf(b->score))
         return c->score < b->score;
     const int good = fit_is_good(data, options, one), best_is_good = fit_is_good(data, options, best);
@@ -84,14 +87,15 @@ static void enter(const cagd_fit_candidate *c, int first, cagd_fit_found *found)
 static cagd_status compete_within(const cagd_fit_data *data, const cagd_fit_options *options, double within,
                                   const char *name, cagd_fit_result *one, cagd_fit_result **best, cagd_fit_found *found)
 {
-    int problems;
+    int problems, beneath;
     REQUIRE(one != NULL, CAGD_OK);
-    const cagd_status status = fit_problems_of(data, options, one, &problems);
+    const cagd_status status = fit_problems_of(data, options, one, &problems, &beneath);
     REQUIRE(status == CAGD_OK, (cagd_fit_free(one), status));
     const int counts = fit_is_good(data, options, one) && (within == 0 || one->largest <= within);
     const double score = !counts ? INFINITY : within > 0 ? own_count(one) : fit_score(data, one);
     cagd_fit_candidate c = {
-        "", (int)lrint(one->effective), cagd_fit_is_minimum(one), counts ? problems : ~0, score, one->rms};
+        "", (int)lrint(one->effective), cagd_fit_is_minimum(one), counts ? problems & (beneath ? ~CAGD_FIT_STRUCTURE : ~0) : ~0,
+        counts && beneath, score, one->rms};
     snprintf(c.name, sizeof c.name, "%s", name);
     cagd_fit_candidate *b = &found->candidate[0];
     if (*best != NULL && within == 0) {
@@ -180,7 +184,7 @@ static cagd_status try_spline(const cagd_fit_data *data, const cagd_fit_options 
     char name[64];
     spline.degree = 3;
     spline.free &= ~CAGD_FIT_WEIGHTS;
-    if (own.smooth == 2 && *result != NULL && found->candidate[0].problems == 0)
+    if (own.smooth == 2 && *result != NULL && against(&found->candidate[0]) == 0)
         own.smooth = 0;
     cagd_status status = fit_refined(data, &spline, &own, &one, where);
     if (status == CAGD_OK && choices->weights)

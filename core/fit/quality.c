@@ -1,9 +1,9 @@
 #include "core/fit/cagd_fit.h"
 
+#include "core/fit/beneath.h"
 #include "core/fit/outliers.h"
 #include "core/require.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -184,29 +184,12 @@ static void find_backwards(const cagd_fit_result *r, const polygon *p, cagd_fit_
         q->problems |= CAGD_FIT_BACKWARDS;
 }
 
-/* The diagonal of the box about the points, and its middle. */
-static double extent_of(const cagd_fit_data *data, double middle[])
-{
-    double extent = 0;
-    const int dim = data->dim;
-    for (int c = 0; c < dim; c++) {
-        double low = data->points[c], high = low;
-        for (int i = 1; i < data->count; i++) {
-            low = fmin(low, data->points[(size_t)i * (size_t)dim + (size_t)c]);
-            high = fmax(high, data->points[(size_t)i * (size_t)dim + (size_t)c]);
-        }
-        middle[c] = low / 2 + high / 2;
-        extent = hypot(extent, high - low);
-    }
-    return extent;
-}
-
 /* What is large against the extent of the points: a control point's distance from their middle; of few points the distances. */
 static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
 {
     double middle[3], farthest = 0;
     const int dim = data->dim;
-    const double extent = extent_of(data, middle);
+    const double extent = fit_extent_of(data, middle);
     for (int c = 0; c < dim; c++)
         middle[c] -= r->origin[c];
     for (int j = 0; j < r->curve.count && !r->found.ellipse.known; j++) {
@@ -239,28 +222,12 @@ static cagd_status find_strays(const cagd_fit_data *data, const cagd_fit_options
     return CAGD_OK;
 }
 
-/* The unit of the last decimal place of the coordinates, at most nine behind the point; 0 where there are more. */
-static double unit_of(const cagd_fit_data *data)
+/* Structure: a problem unless all distances are beneath what the points are given to. */
+static void find_structure(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
 {
-    double scale = 1;
-    for (int places = 0; places <= 9; places++, scale *= 10) {
-        int k = 0;
-        while (k < data->count * data->dim &&
-               fabs(data->points[k] * scale - rint(data->points[k] * scale)) <= 4 * DBL_EPSILON * fabs(data->points[k] * scale))
-            k++;
-        if (k == data->count * data->dim)
-            return 1 / scale;
-    }
-    return 0;
-}
-
-/* Whether rounding to the places that are written explains all distances: it moves a point by at most half the diagonal of a cell.  Which side
- * of the curve neighbours lie on is that of rounding then, which goes on for many where the curve is nearly along an axis. */
-static int is_within_rounding(const cagd_fit_data *data, const cagd_fit_result *r)
-{
-    double middle[3];
-    const double unit = unit_of(data);
-    return unit <= COARSE * extent_of(data, middle) && r->largest <= unit * sqrt(data->dim) / 2;
+    const int structure = !r->points_on_curve && (q->runs.probability < BY_CHANCE || q->runs.local_probability < BY_CHANCE);
+    q->beneath = structure ? fit_beneath(data, r) : CAGD_FIT_BENEATH_NOTHING;
+    q->problems |= structure && q->beneath == CAGD_FIT_BENEATH_NOTHING ? CAGD_FIT_STRUCTURE : 0;
 }
 
 cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
@@ -292,7 +259,7 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
         find_far(&own, r, q);
         q->problems |= q->length_ratio > LONGEST ? CAGD_FIT_EXCURSIONS : 0;
         q->problems |= q->crossings > q->crossings_of_points ? CAGD_FIT_LOOPS : 0;
-        q->problems |= (q->runs.probability < BY_CHANCE || q->runs.local_probability < BY_CHANCE) && !r->points_on_curve && !is_within_rounding(&own, r) ? CAGD_FIT_STRUCTURE : 0;
+        find_structure(&own, r, q);
     }
     free(curve.at);
     free(points.at);

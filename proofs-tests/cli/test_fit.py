@@ -619,6 +619,16 @@ class Results(Case):
         self.assertEqual((self.files / "p.svg").read_bytes(), (ROOT / "figures" / "fit-arch.svg").read_bytes())
         self.assertIn("figures/fit-arch.svg", (ROOT / "README.md").read_text())
 
+    def test_python_in_the_readme(self):
+        """The lines of README.md that call cagd fit from Python, as they stand there."""
+        lines = re.search(r"^    (import json, subprocess\n(?:    .*\n)+)", (ROOT / "README.md").read_text(), re.M).group(1)
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "outline.csv").write_text(table(quadratic(40, 0.75, 0.01)))
+            env = dict(os.environ, PATH=os.pathsep.join([str(pathlib.Path(CAGD).parent), os.environ["PATH"]]))
+            r = subprocess.run([sys.executable, "-c", lines.replace("\n    ", "\n")], cwd=folder, env=env, capture_output=True, text=True)
+        self.assertEqual((r.returncode, r.stderr), (0, ""))
+        self.assertRegex(r.stdout, r"^a conic in one segment 0\.0\d+ \[\]\n$")
+
     def test_the_arch_is_what_it_says(self):
         lines = [line for line in ARCH.read_text().splitlines() if not line.startswith("#")]
         for row in csv.DictReader(lines):
@@ -1642,9 +1652,23 @@ class Fits(Case):
         d = self.fit(table(arc, number=lambda x: f"{x:.3f}"), "--no-verify")
         self.assertEqual((d["curve"]["degree"], len(d["curve"]["points"]), d["quality"]["good"]), (2, 3, True))
         self.assertLess(d["quality"]["probability"], 0.01)
+        self.assertEqual(d["quality"]["structure_beneath"], "digits")
         rows = [[x, y + 0.002 * math.sin(x / 4)] for x, y in arc]  # more than half a diagonal of a cell
         d = self.fit(table(rows, number=lambda x: f"{x:.3f}"), "--no-verify", "--degree", "2")
         self.assertFalse(d["quality"]["good"])
+
+    def test_structure_beneath_what_the_points_are_given_to(self):
+        """A parabola with a wave of 1e-7 of its size is told and good, with one of 1e-4 not good; given deviations say it otherwise."""
+        waves = {wave: [[u, u * (1 - u) + wave * math.sin(40 * u)] for u in (k / 99 for k in range(100))] for wave in (1e-7, 1e-4)}
+        said = {wave: self.text(rows, "--no-verify", "--degree", "2") for wave, rows in waves.items()}
+        self.assertIn("structure as below Structure", said[1e-7])
+        self.assertIn("not held against the fit, since all of them are within a hundred-thousandth of the extent of the points", said[1e-7])
+        self.assertIn("NOT good, whatever is said of the minimum; the distances are no noise", said[1e-4])
+        self.assertNotIn("not held against", said[1e-4])
+        given = self.fit(table(waves[1e-4]), "--no-verify", "--degree", "2", "--sigma", "2e-4")["quality"]
+        self.assertEqual((given["good"], given["structure_beneath"]), (True, "deviations"))
+        given = self.fit(table(waves[1e-7]), "--no-verify", "--degree", "2", "--sigma", "1e-8")["quality"]
+        self.assertEqual((given["good"], given["structure_beneath"]), (False, None))
 
     def test_names_of_maps_and_surveys(self):
         r = random.Random(3)

@@ -1,4 +1,4 @@
-/* test_memory.c -- a fit without memory: the k-th allocation fails, for k = 1, 2, 3, ... until the fit does without
+/* test_memory.c -- a fit, a choice and what cures a fit, without memory: the k-th allocation fails, for k = 1, 2, 3, ... until the fit does without
  * so many; alone, and with all later ones.
  *
  * The linker puts the functions below in the place of malloc, aligned_alloc, calloc, realloc and free wherever the fit calls them,
@@ -110,10 +110,15 @@ static const double start_knots[] = {0, 0, 0, 1, 1, 1}, start_points[] = {2, 0, 
                     start_weights[] = {1, 0.7, 1};
 static const cagd_spline start = {2, 3, 2, start_knots, start_points, start_weights};
 
+/* What is asked: a fit, a choice, or what cures a fit that was made before. */
+enum asked { FIT, CHOICE, CURES };
+
 struct kind {
     const char *name;
     int dim, sigma;
     void (*change)(cagd_fit_options *o);
+    enum asked asked;
+    int coarse; /* of the first allocations fewer by this factor: these take long */
 };
 static void as_usual(cagd_fit_options *o) { (void)o; }
 static void all_free(cagd_fit_options *o)
@@ -152,29 +157,94 @@ static void feet_alone(cagd_fit_options *o)
     o->free = 0;
     o->initial = &start;
 }
-static const struct kind kinds[] = {{"usual", 2, 0, as_usual},
-                                    {"all free", 2, 1, all_free},
-                                    {"spline", 2, 0, spline},
-                                    {"two starts", 2, 1, two_starts},
-                                    {"space", 3, 1, cubic_in_space},
-                                    {"robust", 2, 0, robust},
-                                    {"unordered", 2, 0, unordered},
-                                    {"feet alone", 2, 1, feet_alone},
-                                    {"measured ends", 2, 1, measured_ends},
-                                    {"in order", 2, 1, in_order},
-                                    {"ends in any order", 2, 0, ends_in_any_order}};
-
-static cagd_status fit(const struct kind *kind, cagd_fit_result **result)
+static void too_simple(cagd_fit_options *o)
 {
-    cagd_fit_data data = arc(kind->dim, kind->sigma);
+    measured_ends(o);
+    o->free &= ~CAGD_FIT_WEIGHTS;
+}
+static void goes_back(cagd_fit_options *o)
+{
+    measured_ends(o);
+    o->free &= ~CAGD_FIT_WEIGHTS;
+}
+static const struct kind kinds[] = {{"usual", 2, 0, as_usual, FIT, 1},
+                                    {"all free", 2, 1, all_free, FIT, 1},
+                                    {"spline", 2, 0, spline, FIT, 1},
+                                    {"two starts", 2, 1, two_starts, FIT, 1},
+                                    {"space", 3, 1, cubic_in_space, FIT, 1},
+                                    {"robust", 2, 0, robust, FIT, 1},
+                                    {"unordered", 2, 0, unordered, FIT, 1},
+                                    {"feet alone", 2, 1, feet_alone, FIT, 1},
+                                    {"measured ends", 2, 1, measured_ends, FIT, 1},
+                                    {"in order", 2, 1, in_order, FIT, 1},
+                                    {"ends in any order", 2, 0, ends_in_any_order, FIT, 1},
+                                    {"choice", 2, 0, measured_ends, CHOICE, 8},
+                                    {"cures", 2, 0, too_simple, CURES, 8},
+                                    {"cures of points that go back", 2, 0, goes_back, CURES, 8}};
+
+/* Two points change places. */
+static void swap(int dim, int i, int j)
+{
+    for (int c = 0; c < dim; c++) {
+        const double at = points[i * dim + c];
+        points[i * dim + c] = points[j * dim + c];
+        points[j * dim + c] = at;
+    }
+}
+
+static cagd_fit_options options_of(const struct kind *kind)
+{
     cagd_fit_options options = options_with_exact_ends();
     kind->change(&options);
-    for (int c = 0; c < kind->dim && options.monotone; c++) { /* two points change places, and share a foot */
-        const double at = points[5 * kind->dim + c];
-        points[5 * kind->dim + c] = points[6 * kind->dim + c];
-        points[6 * kind->dim + c] = at;
+    return options;
+}
+
+static cagd_fit_data data_of(const struct kind *kind, const cagd_fit_options *options)
+{
+    cagd_fit_data data = arc(kind->dim, kind->sigma);
+    if (options->monotone) /* the two share a foot */
+        swap(kind->dim, 5, 6);
+    for (int i = 0; i < POINTS && kind->change == too_simple; i++) /* a wave */
+        points[i * kind->dim + 1] += 0.5 * sin(1.3 * i);
+    if (kind->change == goes_back)
+        swap(kind->dim, 3, 9), swap(kind->dim, 4, 10);
+    return data;
+}
+
+static const cagd_fit_choices as_asked = {.closed = 0, .smooth = 0};
+static cagd_fit_result *poor; /* the fit that is to be cured, and what is not good about it */
+static cagd_fit_quality poor_quality;
+static cagd_fit_cures cures;
+
+/* What the kind asks; *result is NULL of cures. */
+static cagd_status fit(const struct kind *kind, cagd_fit_result **result)
+{
+    const cagd_fit_options options = options_of(kind);
+    const cagd_fit_data data = data_of(kind, &options);
+    if (kind->asked == FIT)
+        return cagd_fit(&data, &options, result, NULL);
+    if (kind->asked == CHOICE) {
+        const cagd_fit_choices all = cagd_fit_choices_all();
+        return cagd_fit_choose(&data, &options, &all, result, NULL);
     }
-    return cagd_fit(&data, &options, result, NULL);
+    *result = NULL;
+    return cagd_fit_cures_of(&data, &options, &as_asked, poor, &poor_quality, &cures);
+}
+
+/* The fit that is to be cured, where cures are asked for; whether it is there and was not good. */
+static int prepare(const struct kind *kind)
+{
+    const cagd_fit_options options = options_of(kind);
+    const cagd_fit_data data = data_of(kind, &options);
+    return kind->asked != CURES || (cagd_fit_choose(&data, &options, &as_asked, &poor, NULL) == CAGD_OK &&
+                                    cagd_fit_quality_of(&data, &options, poor, &poor_quality) == CAGD_OK &&
+                                    (poor_quality.problems != 0 || !cagd_fit_is_minimum(poor)));
+}
+
+/* Whether two answers are the same. */
+static int are_same(const cagd_fit_result *a, const cagd_fit_result *b)
+{
+    return a == NULL ? b == NULL : a->unknowns == b->unknowns && memcmp(a->value, b->value, (size_t)a->unknowns * sizeof(double)) == 0;
 }
 
 /* 1 and a line where something is wrong. */
@@ -230,21 +300,27 @@ static int try_kind(const struct kind *kind)
 {
     cagd_fit_result *result, *again;
     fail_at = 0;
+    if (!prepare(kind))
+        return complain(kind, 0, "nothing is to be cured");
     if (fit(kind, &result) != CAGD_OK) /* what libraries allocate once is there afterwards */
         return complain(kind, 0, "no fit");
+    if (kind->asked == CURES && cures.count < 2)
+        return complain(kind, cures.count, "hardly anything was tried");
     long k = 1, count[LOST + 1] = {0};
     while (count[NOT_REACHED] == 0) { /* all of the first ones, then fewer and fewer */
         count[trial(kind, k, k + 1)]++;
         count[trial(kind, k, LONG_MAX)]++;
-        k += 1 + k / MANY;
+        k += 1 + k * kind->coarse / MANY;
     }
     int wrong = count[WRONG] > 0;
     if (fit(kind, &again) != CAGD_OK)
         return complain(kind, 0, "no fit any more");
-    if (memcmp(result->value, again->value, (size_t)result->unknowns * sizeof(double)) != 0)
+    if (!are_same(result, again))
         wrong |= complain(kind, 0, "not the same fit afterwards");
     cagd_fit_free(result);
     cagd_fit_free(again);
+    cagd_fit_free(poor);
+    poor = NULL;
     printf("%-10s %5ld times without memory, of some %ld allocations; %ld times lost by Ceres\n", kind->name,
            count[GOOD], k, count[LOST]);
     if (count[GOOD] < 10 || count[LOST] > count[GOOD])

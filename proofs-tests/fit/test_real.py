@@ -72,7 +72,9 @@ class Real(unittest.TestCase):
     def test_files_of_our_own(self):
         for name, good in GOOD.items():
             with self.subTest(name=name):
-                self.answers(HERE / "real" / name, good, OPTIONS.get(name, ()))
+                q = self.answers(HERE / "real" / name, good, OPTIONS.get(name, ()))["quality"]
+                self.assertTrue(q["good"], q["problems"])
+                self.assertEqual(q["structure_beneath"], {"naca4415-fine.dat": "size"}.get(name))
 
     def test_files_of_others(self):
         for name, good in OF_OTHERS.items():

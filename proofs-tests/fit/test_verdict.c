@@ -1,0 +1,133 @@
+/* test_verdict.c -- whether a fit is called good: true models are, a nose that they pass by is not, and structure counts unless all distances are
+ * beneath what the points are given to. */
+#include "core/fit/cagd_fit.h"
+#include "proofs-tests/fit/noise.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { POINTS = 200, DRAWS = 200, NOSES = 100 };
+static const double PI = 3.14159265358979323846, NOISE = 0.02;
+static double Q[2 * POINTS], sigma[POINTS];
+
+static int failed;
+static void ask(int holds, const char *what)
+{
+    if (!holds)
+        printf("NOT so: %s\n", what);
+    failed += !holds;
+}
+
+/* ---- by chance, and not by chance -------------------------------------------------------------------------- */
+
+/* A circle of radius 1 with a nose: the radius grows by `height` e^(-50 (1 - cos a)) at the angle a from its tip. */
+static void on_ring(double height, double u, double q[2])
+{
+    const double from_tip = 2 * PI * (u - 0.32), radius = 1 + height * exp(-50 * (1 - cos(from_tip)));
+    q[0] = radius * cos(2 * PI * u), q[1] = radius * sin(2 * PI * u);
+}
+
+static void on_parabola(double u, double q[2]) { q[0] = u, q[1] = u * (1 - u); }
+
+/* How far the curve is from q. */
+static double distance_from(const cagd_spline *c, const double q[2])
+{
+    enum { PLACES = 2000 };
+    const double a = c->knots[c->degree], b = c->knots[c->count];
+    double nearest = HUGE_VAL, x[2];
+    for (int i = 0; i <= PLACES; i++)
+        if (cagd_spline_point(c, i < PLACES ? a + (b - a) * i / PLACES : b, i < PLACES ? CAGD_RIGHT : CAGD_LEFT, x) == CAGD_OK)
+            nearest = fmin(nearest, hypot(x[0] - q[0], x[1] - q[1]));
+    return nearest;
+}
+
+/* How many of the draws of a ring (1) or a parabola (0) are not good or, of a nose, come within one deviation of its tip. */
+static int count_seen(int ring, double height, int draws)
+{
+    int seen = 0;
+    double tip[2];
+    on_ring(height, 0.32, tip);
+    for (int d = 0; d < draws; d++) {
+        state = 1000003u * (uint64_t)(d + 1) + 17;
+        for (int i = 0; i < POINTS; i++) {
+            if (ring)
+                on_ring(height, (double)i / POINTS, Q + 2 * i);
+            else
+                on_parabola(i / (POINTS - 1.0), Q + 2 * i);
+            for (int c = 0; c < 2; c++)
+                Q[2 * i + c] += NOISE * normal();
+        }
+        const cagd_fit_data data = {POINTS, 2, Q, NULL};
+        const cagd_fit_choices choices = cagd_fit_choices_all();
+        cagd_fit_options options = cagd_fit_defaults();
+        cagd_fit_result *fit;
+        cagd_fit_quality quality;
+        options.without_intervals = 1;
+        if (cagd_fit_choose(&data, &options, &choices, &fit, NULL) != CAGD_OK || cagd_fit_quality_of(&data, &options, fit, &quality) != CAGD_OK) {
+            ask(0, "a curve is chosen");
+            return -1;
+        }
+        seen += !cagd_fit_is_minimum(fit) || quality.problems != 0 || (height > 0 && distance_from(&fit->curve, tip) < NOISE);
+        cagd_fit_free(fit);
+    }
+    return seen;
+}
+
+static void test_chance(void)
+{
+    const int circles = count_seen(1, 0, DRAWS), parabolas = count_seen(0, 0, DRAWS), noses = count_seen(1, 2 * NOISE, NOSES);
+    printf("of %d circles %d are not good, of %d parabolas %d; of %d noses of two deviations, a twentieth of the way around, %d are seen\n", DRAWS,
+           circles, DRAWS, parabolas, NOSES, noses);
+    ask(20 * circles <= DRAWS && 20 * parabolas <= DRAWS, "true models are called not good one time in twenty at most");
+    ask(noses >= 35, "a nose is seen by more than one of three");
+}
+
+/* ---- beneath what the points are given to ------------------------------------------------------------------ */
+
+/* The conic through (u, height u (1-u) + off sin 40u), rounded to `unit` unless that is 0, with deviations unless these are 0. */
+static cagd_fit_quality quality_of(double height, double off, double unit, double deviation)
+{
+    cagd_fit_quality quality = {.problems = ~0};
+    cagd_fit_result *fit;
+    for (int i = 0; i < POINTS; i++) {
+        const double u = i / (POINTS - 1.0), y = height * u * (1 - u) + off * sin(40 * u);
+        Q[2 * i] = unit > 0 ? rint(u / unit) * unit : u;
+        Q[2 * i + 1] = unit > 0 ? rint(y / unit) * unit : y;
+        sigma[i] = deviation;
+    }
+    const cagd_fit_data data = {POINTS, 2, Q, deviation > 0 ? sigma : NULL};
+    cagd_fit_options options = cagd_fit_defaults();
+    options.free &= ~CAGD_FIT_WEIGHTS;
+    options.without_intervals = 1;
+    ask(cagd_fit(&data, &options, &fit, NULL) == CAGD_OK && cagd_fit_quality_of(&data, &options, fit, &quality) == CAGD_OK, "a fit");
+    ask(quality.runs.probability < 0.01 || quality.runs.local_probability < 0.01, "there is structure");
+    cagd_fit_free(fit);
+    return quality;
+}
+
+static int is_told(cagd_fit_quality q, cagd_fit_beneath beneath) { return q.beneath == beneath && !(q.problems & CAGD_FIT_STRUCTURE); }
+static int counts(cagd_fit_quality q) { return q.beneath == CAGD_FIT_BENEATH_NOTHING && (q.problems & CAGD_FIT_STRUCTURE) != 0; }
+
+static void test_beneath(void)
+{
+    ask(is_told(quality_of(1, 1e-7, 0, 0), CAGD_FIT_BENEATH_SIZE), "structure of 1e-7 of the extent is told");
+    ask(is_told(quality_of(1, 8e-6, 0, 0), CAGD_FIT_BENEATH_SIZE), "so is that of 0.8e-5");
+    ask(counts(quality_of(1, 2e-5, 0, 0)), "that of 2e-5 counts");
+    ask(is_told(quality_of(0.05, 5e-7, 0, 0), CAGD_FIT_BENEATH_SIZE), "that of points with a width of 0.02, 1e-6 of which it is beneath, is told");
+    ask(counts(quality_of(0.05, 5e-6, 0, 0)), "that of 2e-4 of the width counts");
+    ask(counts(quality_of(0, 1e-6, 0, 0)), "that of points along a straight line, which is all their form, counts");
+    ask(is_told(quality_of(1, 0.001, 0, 0.0015), CAGD_FIT_BENEATH_DEVIATIONS), "structure within the given deviations is told");
+    ask(counts(quality_of(1, 0.001, 0, 0.0005)), "beyond them it counts");
+    ask(counts(quality_of(1, 1e-7, 0, 1e-8)), "so it does where deviations are smaller than the size asks for");
+    ask(is_told(quality_of(1, 0.0015, 0.01, 0), CAGD_FIT_BENEATH_DIGITS), "structure within the rounding of two decimal places is told");
+    ask(counts(quality_of(1, 0.01, 0.01, 0)), "beyond it it counts");
+}
+
+int main(void)
+{
+    test_beneath();
+    test_chance();
+    return failed > 0;
+}
