@@ -128,13 +128,16 @@ static void the_degree_is_shown_once(void **state)
         }
 }
 
-static void a_whole_number_is_a_variable_of_the_field(void **state)
+static void a_number_without_index_is_a_variable_of_the_field(void **state)
 {
     (void)state;
     static const claim c = {.name = "whole", .scope = ""};
     trial T = {.claim = &c};
-    field_open(2);
+    field_open(4);
     assert_true(equal_f(whole_f(&T, "m", 0, 5), variable_f("m")));
+    assert_true(equal_f(unknown_f(&T, "a", ALONE), variable_f("a")));
+    assert_true(equal_f(positive_f(&T, "b", ALONE), variable_f("b")));
+    assert_true(equal_f(unknown_f(&T, "a", 7), variable_f("a7")));
     field_close();
 }
 
@@ -733,7 +736,7 @@ int main(void)
                                        unit(what_is_recorded_is_counted),
                                        unit(links_are_a_list),
                                        unit(the_degree_is_shown_once),
-                                       unit(a_whole_number_is_a_variable_of_the_field),
+                                       unit(a_number_without_index_is_a_variable_of_the_field),
                                        unit(a_search_among_more_inputs_than_are_kept),
                                        unit(of_two_cases_the_long_one_is_left_out),
                                        unit(the_search_for_a_witness_leaves_the_faults)};
