@@ -382,6 +382,9 @@ static void exit_status_is_that_of_the_verdicts(void **state)
         {&command_ledger, {"book:1"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
         {&command_ledger, {"book:3"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
         {&command_ledger, {"book:9"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_ledger, {"--json", "--summary"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_ledger, {"--json", "--striking", "1"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_ledger, {"--summary", "--striking", "1"}, EXIT_USAGE, EXIT_USAGE},
         {&command_show, {"book:1"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
         {&command_show, {"book:2"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
         {&command_show, {"book:1", "book:2"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
@@ -434,6 +437,17 @@ static void statements_are_counted(void **state)
     snprintf(path, sizeof path, "%s/manifest.json", folder);
     assert_int_equal(CALL(verify, &good, &out, "-j1", "--certificates", folder, "--junit", path), EXIT_USAGE);
     free(out);
+    static const char *const reported[] = {"ledger.txt", "summary.txt", "striking.txt", "ledger.json"};
+    for (int k = 0; k < 4; k++) {
+        snprintf(path, sizeof path, "%s/%s", folder, reported[k]);
+        assert_int_equal(CALL(verify, &good, &out, "-j1", "--report", folder, "--junit", path), EXIT_USAGE);
+        free(out);
+        snprintf(command, sizeof command, "rm -rf '%s' && mkdir -p '%s'", folder, path);
+        assert_int_equal(system(command), 0);
+        assert_int_equal(CALL(verify, &good, &out, "-j1", "--report", folder), EXIT_USAGE);
+        free(out);
+    }
+    snprintf(path, sizeof path, "%s/manifest.json", folder);
     snprintf(command, sizeof command, "rm -rf '%s' && mkdir -p '%s'", folder, path);
     assert_int_equal(system(command), 0);
     assert_int_equal(CALL(verify, &good, &out, "-j1", "--certificates", folder), EXIT_USAGE);

@@ -128,6 +128,21 @@ static void the_degree_is_shown_once(void **state)
         }
 }
 
+/* A claim without a letter has degrees n. */
+static void the_letter_is_n_where_none_is_given(void **state)
+{
+    (void)state;
+    static const char *const letter[] = {NULL, "", "n"};
+    for (int k = 0; k < 3; k++) {
+        const claim c = {.name = "shown", .scope = "", .letter = letter[k], .degree_low = 1, .degree_high = 5};
+        trial T = {.claim = &c, .degree = 3};
+        show_degree(&c, &T);
+        assert_int_equal(T.exhibits, 1);
+        assert_string_equal(T.shown[0].name, "n");
+        forget_exhibits(T.shown, T.exhibits);
+    }
+}
+
 static void a_number_without_index_is_a_variable_of_the_field(void **state)
 {
     (void)state;
@@ -251,6 +266,46 @@ static void degrees_without_end(void **state)
     assert_scope("from_none", "n", "every n");
     assert_scope("orders", "k", "every k from 2 on"); /* the order, one more than the degree, stays without end */
     assert_scope("orders", "n", "every n from 1 on");
+}
+
+/* What w# means has an index; of the letters those of a statement are left, the first of the Greek ones as well. */
+static void names_and_what_they_stand_for(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *over, *variables, *left, *words;
+    } list[] = {{"w#: weights", "w0 w1", NULL, "all weights"},
+                {"w#: weights", "w w0", NULL, "all weights, all other data"},
+                {"alpha; beta", "alpha beta", NULL, "every α and β"},
+                {"alpha; beta", "alpha beta", "x alpha", "every α"},
+                {"alpha; beta", "alpha beta", "beta", "every β"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        const claim c = {.name = "names", .scope = "", .over = list[k].over, .argued_for = ""};
+        char variables[32], positive[] = "";
+        strcpy(variables, list[k].variables);
+        claim_result r = {.claim = &c, .computed = PROVED, .evidence = PROVED};
+        r.by[FIELD_TYPE] = (type_result){.ran = 1, .outcome = HOLDS, .variables = variables, .positive = positive};
+        scope s = scope_of(&r);
+        if (list[k].left != NULL)
+            leave_letters(&s, list[k].left);
+        char *words = scope_words(&s, "n");
+        assert_string_equal(words, list[k].words);
+        free(words);
+        free_scope(&s);
+    }
+}
+
+/* Where something is proved, and something sampled, the instances stay. */
+static void what_is_proved_has_no_instances(void **state)
+{
+    (void)state;
+    for (int turned = 0; turned < 2; turned++) {
+        scope a = {.instances = turned ? 0 : 12}, b = {.instances = turned ? 12 : 0};
+        meet_scope(&a, &b);
+        assert_int_equal(a.instances, 12);
+        free_scope(&a);
+        free_scope(&b);
+    }
 }
 
 static void of_instances_the_fewest_are_told(void **state)
@@ -722,6 +777,8 @@ int main(void)
                                        unit(entries_beyond_the_bits_of_an_int),
                                        unit(degrees_without_end),
                                        unit(of_instances_the_fewest_are_told),
+                                       unit(names_and_what_they_stand_for),
+                                       unit(what_is_proved_has_no_instances),
                                        unit(a_correction_needs_a_case),
                                        unit(orders_are_one_more),
                                        unit(letters_of_the_degree),
@@ -736,6 +793,7 @@ int main(void)
                                        unit(what_is_recorded_is_counted),
                                        unit(links_are_a_list),
                                        unit(the_degree_is_shown_once),
+                                       unit(the_letter_is_n_where_none_is_given),
                                        unit(a_number_without_index_is_a_variable_of_the_field),
                                        unit(a_search_among_more_inputs_than_are_kept),
                                        unit(of_two_cases_the_long_one_is_left_out),
