@@ -369,6 +369,8 @@ static void exit_status_is_that_of_the_verdicts(void **state)
         {&command_verify, {"--shard", "1/9"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
         {&command_verify, {"--shard", "8/9"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
         {&command_verify, {"--shard", "8/7"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_verify, {"--shard", "1000/1000"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+        {&command_verify, {"--shard", "1/1001"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--shard", "0/7"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--shard", "7"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--junit", "/nowhere/at/all"}, EXIT_USAGE, EXIT_USAGE},

@@ -295,6 +295,32 @@ static void names_and_what_they_stand_for(void **state)
     }
 }
 
+/* Two that are about different things, the first of them, too. */
+static void data_of_different_kinds_are_mixed(void **state)
+{
+    (void)state;
+    static const char *const over[] = {"x#: points", "x#: nodes", "x#: points; w#: weights"};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const claim c[] = {{.name = "one", .scope = "", .over = over[i], .argued_for = ""},
+                               {.name = "other", .scope = "", .over = over[j], .argued_for = ""}};
+            scope s[2];
+            for (int k = 0; k < 2; k++) {
+                char variables[] = "x0 w0", points[] = "x0", positive[] = "";
+                claim_result r = {.claim = &c[k], .computed = PROVED, .evidence = PROVED};
+                r.by[FIELD_TYPE] = (type_result){.ran = 1,
+                                                 .outcome = HOLDS,
+                                                 .variables = (k == 0 ? i : j) == 2 ? variables : points,
+                                                 .positive = positive};
+                s[k] = scope_of(&r);
+            }
+            meet_scope(&s[0], &s[1]);
+            assert_int_equal(s[0].mixed, (i == 1) != (j == 1));
+            free_scope(&s[0]);
+            free_scope(&s[1]);
+        }
+}
+
 /* Where something is proved, and something sampled, the instances stay. */
 static void what_is_proved_has_no_instances(void **state)
 {
@@ -695,6 +721,28 @@ static void an_instance_compares_something(void **state)
     forget_exhibits(shown, count);
 }
 
+/* Numbers of one name whose indices follow one another are told together, whatever stands before them. */
+static void numbers_in_rows_q(trial *T)
+{
+    num_q sum = from_int_q(1);
+    for (int k = 0; k < 4; k++)
+        sum = add_q(sum, unknown_q(T, k < 2 ? "x" : "w", k));
+    same_q(T, mul_q(sum, unknown_q(T, "w", 7)), from_int_q(T->planted ? 1 : 2));
+}
+static void rows_of_numbers_are_told_by_their_ends(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"x0 to x1", "w2 to w3", "w7"};
+    const claim c = {.name = "rows", .scope = "", .body = {[RATIONAL_TYPE] = numbers_in_rows_q}};
+    exhibit *shown;
+    int count;
+    find_witness(&c, &shown, &count);
+    assert_true(count >= 3);
+    for (int k = 0; k < 3; k++)
+        assert_string_equal(shown[k].name, name[k]);
+    forget_exhibits(shown, count);
+}
+
 static void is_two_q(trial *T) { same_q(T, unknown_q(T, "x", 0), from_int_q(2)); }
 static void the_search_for_a_witness_leaves_the_faults(void **state)
 {
@@ -778,6 +826,7 @@ int main(void)
                                        unit(degrees_without_end),
                                        unit(of_instances_the_fewest_are_told),
                                        unit(names_and_what_they_stand_for),
+                                       unit(data_of_different_kinds_are_mixed),
                                        unit(what_is_proved_has_no_instances),
                                        unit(a_correction_needs_a_case),
                                        unit(orders_are_one_more),
@@ -797,6 +846,7 @@ int main(void)
                                        unit(a_number_without_index_is_a_variable_of_the_field),
                                        unit(a_search_among_more_inputs_than_are_kept),
                                        unit(of_two_cases_the_long_one_is_left_out),
+                                       unit(rows_of_numbers_are_told_by_their_ends),
                                        unit(the_search_for_a_witness_leaves_the_faults)};
     return run_unit_tests(tests);
 }
