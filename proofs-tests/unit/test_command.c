@@ -93,6 +93,17 @@ static const datum three[] = {
     {.name = "x", .text = "3", .rows = 1, .columns = 1, .value = VALUES("3")},
     {.name = "x + 1", .text = "4", .rows = 1, .columns = 1, .value = VALUES("4"), .place = IN_RESULT},
     {.name = NULL}};
+/* Two results. */
+static void is_four_twice_q(trial *T)
+{
+    found_q(T, "x + 2", add_q(given_q(T, "x"), from_int_q(2)));
+    is_four_q(T);
+}
+static const datum two_results[] = {
+    {.name = "x", .text = "3", .rows = 1, .columns = 1, .value = VALUES("3")},
+    {.name = "x + 1", .text = "4", .rows = 1, .columns = 1, .value = VALUES("4"), .place = IN_RESULT},
+    {.name = "x + 2", .text = "5", .rows = 1, .columns = 1, .value = VALUES("5"), .place = IN_RESULT},
+    {.name = NULL}};
 /* In a paragraph of 92 columns that begins in the seventh, the first is a line, and the second one column too long. */
 static const datum in_one_line[] = {
     {.name = "x",
@@ -207,6 +218,8 @@ static claim told_claims[] = {
      .data = in_two_lines},
     {TEXTS("powers_commute", "one", 28), .degree_low = 2, .degree_high = 4, .degree_sampled = 4,
      .body = {[FIELD_TYPE] = powers_f}},
+    {TEXTS("three_has_two_results", "two", 43), .kind = COUNTEREXAMPLE, .body = {[RATIONAL_TYPE] = is_four_twice_q},
+     .data = two_results},
     {TEXTS("decided_in_double", "two", 75), .kind = DECISION, .body = {[DOUBLE_TYPE] = double_m}},
     {TEXTS("sum_is_double", "one", 20), .body = {[INTERVAL_TYPE] = double_i, [DOUBLE_TYPE] = double_m}},
     {TEXTS("one_is_two_in_intervals", "two", 50), .body = {[INTERVAL_TYPE] = is_not_i}},
@@ -217,14 +230,15 @@ static claim told_claims[] = {
 static statement told_statements[] = {
     {STATEMENT("1", "book", 1, "false", "", "in a paper of [book], which is no paper", ""), .striking = 4,
      .links = FALSE_BY("three_is_four_once_more")},
-    {STATEMENT("2", "book", 2, "false", "", "as in [mypaper; paper]", ""),
+    {STATEMENT("2", "book", 2, "missing-hypothesis", "", "as in [mypaper; paper]", ""),
      .links = FALSE_BY("three_is_four_in_whatever_way_it_is_counted")},
-    {STATEMENT("3", "book", 3, "", "", "as in [paper-two] and in [paper", ""), .striking = 2,
+    {STATEMENT("third-of-all", "book", 3, "", "", "as in [paper-two] and in [paper", ""), .striking = 2,
      .links = LINKS({HOLDS_BY, "powers_commute", NULL, "", NULL},
                     {NEEDS, "three_is_four_once_more", "[paper], page 7", "$y > 0$", NULL},
                     {CITES, NULL, "[edited], 5", "a theorem", NULL})},
-    {STATEMENT("4", "book", 4, "false", "", "", ""), .striking = 1,
+    {STATEMENT("4", "book", 4, "invalid-proof", "", "", ""), .striking = 1,
      .links = FALSE_BY("three_is_four_in_whatever_way_it_is_counted")},
+    {STATEMENT("6", "book", 6, "false", "", "", ""), .striking = 5, .links = FALSE_BY("three_has_two_results")},
     {STATEMENT("5", "book", 5, "", "", "", ""),
      .links =
          LINKS({READING, "missing", "because it is so", "one way", NULL},
@@ -368,6 +382,7 @@ static void exit_status_is_that_of_the_verdicts(void **state)
         {&command_verify, {"nobody_knows"}, EXIT_USAGE, EXIT_NOT_AS_EXPECTED},
         {&command_verify, {"--shard", "1/9"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
         {&command_verify, {"--shard", "8/9"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_verify, {"--json", "--tap"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--shard", "8/7"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--shard", "1000/1000"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
         {&command_verify, {"--shard", "1/1001"}, EXIT_USAGE, EXIT_USAGE},
@@ -692,7 +707,8 @@ static void what_is_told_fits(void **state)
     (void)state;
     all_pages(&told, "show-told.txt");
     SAYS(EXIT_NOT_AS_EXPECTED, ledger, &told, "ledger-told.json", "--json");
-    SAYS(EXIT_NOT_AS_EXPECTED, ledger, &told, "ledger-told-striking.txt", "--striking", "2");
+    SAYS(EXIT_NOT_AS_EXPECTED, ledger, &told, "ledger-told-striking.txt", "--striking", "3");
+    SAYS(EXIT_AS_EXPECTED, show, &told, "show-told-numbers.txt", "--numbers", "book:third-of-all");
     setenv("COLUMNS", "42", 1);
     all_pages(&told, "show-narrow.txt");
     SAYS(EXIT_NOT_AS_EXPECTED, ledger, &told, "ledger-narrow-striking.txt", "--striking", "1");
@@ -804,6 +820,7 @@ int main(void)
             c->argued = "words";
     told_claims[0].then = "the number of sides of a triangle, counted one after another from any of these, is four";
     told_claims[1].then = "the number of corners of a triangle, counted one after the other and from one, is four";
+    told_claims[2].let = "$y = x$";
     told_claims[2].argued = "words", told_claims[2].argued_for = "every n";
     told_statements[2].letter = "k";
     memcpy(good_claims, claims, GOOD * sizeof *claims);

@@ -256,6 +256,28 @@ static void what_has_no_value_is_told(void **state)
         }
 }
 
+/* Over knots that are not clamped the domain is [3, 4]: the spans before and behind it are none, for an array of parameters as for one. */
+static void outside_the_domain_is_no_span(void **state)
+{
+    (void)state;
+    const double integers[8] = {0, 1, 2, 3, 4, 5, 6, 7}, P[4] = {2, 3, 5, 7};
+    const cagd_spline s = {3, 4, 1, integers, P, NULL};
+    cagd_curve *c = cagd_curve_new(&s, NULL, NULL);
+    assert_non_null(c);
+    for (int k = 0; k < 14; k++) {
+        const double t = k / 2.0;
+        const cagd_status expected = t < 3 || t > 4 ? CAGD_OUTSIDE_DOMAIN : CAGD_OK;
+        for (int side = 0; side < 2; side++) {
+            double out[1];
+            int where;
+            assert_int_equal(cagd_curve_point(c, t, side ? CAGD_LEFT : CAGD_RIGHT, out), expected);
+            assert_int_equal(cagd_curve_points(c, 1, &t, side ? CAGD_LEFT : CAGD_RIGHT, out, &where), expected);
+            assert_int_equal(where, expected == CAGD_OK ? -1 : 0);
+        }
+    }
+    cagd_curve_free(c);
+}
+
 /* Of the points 0, whose total weight t/3 DBL_MAX + (3 - t)/3 DBL_MAX is rounded beyond the range for some t, and of a parabola whose third
  * coordinate alone has a second derivative that is. */
 static void the_last_number_that_is_out_of_range_is_seen(void **state)
@@ -299,6 +321,7 @@ int main(void)
         cmocka_unit_test(what_is_wrong_is_refused),
         cmocka_unit_test(what_has_no_value_is_told),
         cmocka_unit_test(the_last_number_that_is_out_of_range_is_seen),
+        cmocka_unit_test(outside_the_domain_is_no_span),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
