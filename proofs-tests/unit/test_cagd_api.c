@@ -255,6 +255,13 @@ static void whichever_number_leaves_the_range_is_seen(void **state)
     points[LAST] = 0, points[0] = DBL_MAX;
     assert_int_equal(cagd_bezier_split(N, DIM, points, -1, out, spare), CAGD_OVERFLOW);
     assert_int_equal(cagd_rational_split(N, DIM, points, ones, -1, out, a, spare, b), CAGD_OVERFLOW);
+    /* Elevation has a weight that is nearly 0, and there the last coordinate alone. */
+    const double nearly[] = {1, 1, 1, -3 * (1 - 0x1p-50)};
+    double last[LAST + 1] = {0};
+    last[LAST] = 0x1p900;
+    assert_int_equal(cagd_rational_elevate(N, DIM, last, nearly, out, a), CAGD_OK);
+    last[LAST] = 0x1p1000;
+    assert_int_equal(cagd_rational_elevate(N, DIM, last, nearly, out, a), CAGD_OVERFLOW);
     /* The last weight of the left part alone, whose points are 0. */
     const double zero[] = {0, 0}, opposite[] = {DBL_MAX, -DBL_MAX};
     assert_int_equal(cagd_rational_split(1, 1, zero, opposite, 2, out, a, spare, b), CAGD_OVERFLOW);
