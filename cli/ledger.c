@@ -141,10 +141,13 @@ static void put_data(FILE *out, const claim *c)
     }
 }
 
-/* Striking statements carry a rank: the id and what is false, then the counterexample in numbers. */
+/* Striking statements carry a rank, which two may share: the id and what is false, then the counterexample in numbers. */
 static void print_striking(FILE *out, const statement_result *list, int count, int wanted)
 {
-    for (int rank = 1, shown = 0; rank <= count && shown < wanted; rank++)
+    int last = 0, shown = 0;
+    for (int k = 0; k < count; k++)
+        last = list[k].statement->striking > last ? list[k].statement->striking : last;
+    for (int rank = 1; rank <= last; rank++)
         for (int k = 0; k < count; k++)
             if (list[k].statement->striking == rank && list[k].verdict == VERDICT_FAILS && shown < wanted) {
                 const claim *c = list[k].refuted_by->claim;

@@ -61,9 +61,12 @@ static void print_source_of(const cagd_register *reg, const statement *s)
 static int refers_to(const char *text, const char *key)
 {
     for (const char *at = strchr(text, '['); at != NULL; at = strchr(at + 1, '[')) {
-        const char *found = strstr(at, key), *end = strchr(at, ']');
-        if (found != NULL && end != NULL && found < end && (found[-1] == '[' || found[-1] == ' '))
-            return 1;
+        const char *end = strchr(at, ']');
+        if (end == NULL)
+            return 0;
+        for (const char *found = strstr(at, key); found != NULL && found < end; found = strstr(found + 1, key))
+            if ((found[-1] == '[' || found[-1] == ' ') && strchr(";]", found[strlen(key)]) != NULL)
+                return 1;
     }
     return 0;
 }
@@ -76,7 +79,7 @@ static void print_literature(const cagd_register *reg, const char *note, const s
     for (const source *s = reg->sources; s->key != NULL; s++) {
         int wanted = refers_to(note, s->key);
         for (const statement_link *l = links; l != NULL && (l->claim != NULL || l->text != NULL); l++)
-            wanted |= l->role == CITES && l->place != NULL && refers_to(l->place, s->key);
+            wanted |= l->role == CITES && refers_to(l->place, s->key); /* which has a place */
         for (int k = 0; k < count; k++)
             wanted |= refers_to(results[k].claim->method, s->key);
         if (wanted && first)

@@ -118,13 +118,12 @@ static cagd_over_k monic(const cagd_over_k *p, poly m)
     return p->degree < 0 ? *p : scaled(p, inverse(p->c[p->degree], m), m);
 }
 
+/* Of a polynomial that is not 0. */
 static cagd_over_k derivative(const cagd_over_k *p)
 {
     cagd_over_k r = {.degree = p->degree - 1};
     for (int e = 1; e <= p->degree; e++)
         r.c[e - 1] = poly_scale(p->c[e], from_int_q(e));
-    if (r.degree < -1)
-        r.degree = -1;
     return r;
 }
 
@@ -378,7 +377,7 @@ static poly old_theta(const cagd_over_k *D, poly m, num_q c, poly f)
 {
     cagd_over_k of_m = {.degree = cagd_poly_degree(m)}, line = {.degree = -1};
     poly gamma = poly_remainder(poly_variable(), f);
-    if (of_m.degree > CAGD_MOST_OVER_K || D->degree + of_m.degree > CAGD_MOST_OVER_K) {
+    if (D->degree + of_m.degree > CAGD_MOST_OVER_K) {
         region_faults |= FAULT_UNABLE;
         return zero();
     }
@@ -450,12 +449,12 @@ cagd_algebraic_point cagd_algebraic_with_root(const cagd_algebraic_point *a, con
 {
     cagd_algebraic_point b = *a;
     int over = cagd_poly_degree(a->theta.factor);
+    if (cagd_equal_q(r->lo, r->hi))
+        return cagd_algebraic_with_number(a, r->lo);
     if (b.count == CAGD_MOST_COORDINATES || over * r->of->degree > MOST_DEGREE) {
         region_faults |= FAULT_UNABLE;
         return b;
     }
-    if (cagd_equal_q(r->lo, r->hi))
-        return cagd_algebraic_with_number(a, r->lo);
     if (r->of->degree == 1) {
         b.coordinate[b.count++] = times(poly_neg(r->of->c[0]), inverse(r->of->c[1], a->theta.factor), a->theta.factor);
         return b;

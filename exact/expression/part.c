@@ -303,13 +303,14 @@ static int divides_by_0(cagd_context *c)
     return can_be_zero;
 }
 
-/* The names that stand for all numbers. */
+/* The names that stand for all numbers; an angle, too, whose tangent is a number of the part, by a condition. */
 static void note_names(cagd_finding *f, const cagd_context *c)
 {
     for (int k = 0; k < c->count; k++) {
         const cagd_binding *b = &c->binding[k];
         const char *name = b->angle != NULL ? b->angle : b->key;
-        int known = (!b->unknown && !b->solved) || b->hidden || name[0] == '\0' || f->names == CAGD_MOST_UNKNOWNS;
+        int known = (!b->unknown && !b->solved && b->angle == NULL) || b->hidden || name[0] == '\0' ||
+                    f->names == CAGD_MOST_UNKNOWNS;
         for (int m = 0; m < f->names; m++)
             known |= strcmp(f->name[m], name) == 0;
         if (!known)

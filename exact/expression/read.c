@@ -844,12 +844,12 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
         const cagd_tree *t = cagd_read_condition(r);
         if (t == NULL)
             return NULL;
-        if (count + t->count > CAGD_MOST_CHILDREN)
+        const cagd_tree *const *conditions = t->kind == CAGD_ALL ? t->at : &t; /* of vectors one for each component */
+        int several = t->kind == CAGD_ALL ? t->count : 1;
+        if (count + several > CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
-        for (int k = 0; t->kind == CAGD_ALL && k < t->count; k++) /* of vectors one for each component */
-            list[count++] = t->at[k];
-        if (t->kind != CAGD_ALL)
-            list[count++] = t;
+        for (int k = 0; k < several; k++)
+            list[count++] = conditions[k];
         const cagd_token *here = r->token;
         more = cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_pass(r, "\\land");
         const char *words = cagd_read_words(r);

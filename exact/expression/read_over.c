@@ -270,9 +270,10 @@ static const cagd_tree *moved(cagd_reader *r, const cagd_tree *end, long by)
     return cagd_new_of(r, CAGD_SUM, end->from, 2, (const cagd_tree *[]){end, cagd_tree_number(by, end->to, end->to)});
 }
 
+/* A name that the text has elsewhere: its place is that of what was read last. */
 static const cagd_tree *name_of_index(cagd_reader *r, const char *head)
 {
-    cagd_tree *t = cagd_new(r, CAGD_NAME, r->token->from, 0);
+    cagd_tree *t = cagd_new(r, CAGD_NAME, r->token[-1].from, 0);
     if (t != NULL)
         t->head = head;
     return t;

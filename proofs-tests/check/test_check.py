@@ -68,6 +68,26 @@ class Literature(unittest.TestCase):
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, *rest)["verdict"], expected)
 
+    def test_ranges_of_angles(self):
+        """Longer ones than three quarters, whose ends no turn by quarters brings between -1/2 and 1/2; angles with a value by their name; and a range
+        is told, too, where a condition leaves single numbers of it."""
+        let = "\\theta \\in \\mathbb{R}\n\\phi = 2\\theta\n\\psi(s) = s\\theta\nf(t) = \\cos(3t)\n"
+        most, half = r"\frac{\pi}{3} \le \theta \le \frac{13\pi}{6}", r"0 \le \theta \le \pi"
+        for printed, ranges, expected, scope in (
+                (r"\sin\theta \le \frac12 \lor \cos\theta \le \frac12", most, "holds", "π/3 ≤ θ ≤ 13π/6"),
+                (r"\sin\theta \le \frac25 \lor \cos\theta \le \frac25", most, "fails", ""),
+                (r"\sin\theta < \frac12 \lor \cos\theta < \frac12", most.replace(r"\le", "<"), "holds", "π/3 < θ < 13π/6"),
+                (r"\sin\theta \le 0", most + r", \cos\theta = \frac45", "holds", "π/3 ≤ θ ≤ 13π/6, cos θ = 4/5"),
+                (r"\cos\theta \le 0", most + r", \sin\theta = \frac35", "holds", "π/3 ≤ θ ≤ 13π/6, sin θ = 3/5"),
+                (r"\cos\theta \le 0", r"\sin\theta = \frac35", "fails", ""),
+                (r"\sin\theta \ge 0", half + r", \cos\theta = \frac45", "holds", "0 ≤ θ ≤ π, cos θ = 4/5"),
+                (r"\cos\phi = \cos^2\theta - \sin^2\theta", r"x \ge 0", "holds", ""), (r"\cos\phi = \cos^2\theta + \sin^2\theta", r"x \ge 0", "fails", ""),
+                (r"\cos\psi(3) = 4\cos^3\theta - 3\cos\theta", r"x \ge 0", "holds", ""), (r"f(\phi) = \cos(6\theta)", r"x \ge 0", "holds", "")):
+            with self.subTest(printed=printed, ranges=ranges):
+                found = verdict(printed, ranges, let)
+                self.assertEqual(found["verdict"], expected)
+                self.assertTrue(found["scope"].startswith(scope), found["scope"])
+
     def test_roots_of_functions(self):
         """They are names whose squares are told; what is false is refuted where the roots are no rational numbers, too."""
         let = "\\mathbf{a}, \\mathbf{b} \\in \\mathbb{R}^3\n"

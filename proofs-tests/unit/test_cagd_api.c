@@ -151,6 +151,63 @@ static void bad_arguments_are_refused(void **state)
     same(256, out, spare);
 }
 
+/* Of curves in the plane, in space and on the line every number of the points is asked for, and none behind them. */
+static void every_coordinate_is_asked_for(void **state)
+{
+    (void)state;
+    static const struct {
+        int degree, dim;
+    } list[] = {{3, 2}, {1, 3}, {2, 1}};
+    double bad[16], out[4];
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i <= (list[k].degree + 1) * list[k].dim; i++) {
+            memcpy(bad, R, sizeof R);
+            bad[i] = NAN;
+            cagd_status expected = i < (list[k].degree + 1) * list[k].dim ? CAGD_NOT_FINITE : CAGD_OK;
+            assert_int_equal(cagd_bezier_point(list[k].degree, list[k].dim, bad, T, out), expected);
+            assert_int_equal(cagd_rational_point(list[k].degree, list[k].dim, bad, w, T, out), expected);
+        }
+}
+
+static double *no_numbers(double x[16])
+{
+    for (int i = 0; i < 16; i++)
+        x[i] = NAN;
+    return x;
+}
+/* Nothing is written behind a result, and nothing behind it counts. */
+static void nothing_behind_a_result_counts(void **state)
+{
+    (void)state;
+    double a[16], b[16], c[16], d[16];
+    assert_int_equal(cagd_bernstein(N, T, no_numbers(a)), CAGD_OK);
+    assert_true(isfinite(a[3]) && isnan(a[4]));
+    assert_int_equal(cagd_bezier_point(N, 2, R, T, no_numbers(a)), CAGD_OK);
+    assert_true(isfinite(a[1]) && isnan(a[2]));
+    assert_int_equal(cagd_bezier_derivatives(N, 2, R, T, 2, no_numbers(a)), CAGD_OK);
+    assert_true(isfinite(a[5]) && isnan(a[6]));
+    assert_int_equal(cagd_bezier_split(N, 2, R, T, no_numbers(a), no_numbers(b)), CAGD_OK);
+    assert_true(isfinite(a[7]) && isnan(a[8]) && isfinite(b[7]) && isnan(b[8]));
+    assert_int_equal(cagd_bezier_elevate(N, 2, R, no_numbers(a)), CAGD_OK);
+    assert_true(isfinite(a[9]) && isnan(a[10]));
+    assert_int_equal(cagd_rational_derivatives(N, 2, R, w, T, 2, no_numbers(a)), CAGD_OK);
+    assert_true(isfinite(a[5]) && isnan(a[6]));
+    assert_int_equal(cagd_rational_split(N, 2, R, w, T, no_numbers(a), no_numbers(b), no_numbers(c), no_numbers(d)),
+                     CAGD_OK);
+    assert_true(isfinite(a[7]) && isnan(a[8]) && isfinite(b[3]) && isnan(b[4]));
+    assert_true(isfinite(c[7]) && isnan(c[8]) && isfinite(d[3]) && isnan(d[4]));
+    assert_int_equal(cagd_rational_elevate(N, 2, R, w, no_numbers(a), no_numbers(b)), CAGD_OK);
+    assert_true(isfinite(a[9]) && isnan(a[10]) && isfinite(b[4]) && isnan(b[5]));
+    assert_int_equal(cagd_rational_reparametrize(N, w, 1.7, 0.6, no_numbers(a)), CAGD_OK);
+    assert_true(isfinite(a[3]) && isnan(a[4]));
+    assert_int_equal(cagd_rational_standard_form(N, w, no_numbers(a)), CAGD_OK);
+    assert_true(isfinite(a[3]) && isnan(a[4]));
+    assert_int_equal(cagd_rational_invariants(N, w, no_numbers(a)), CAGD_OK);
+    assert_true(isfinite(a[1]) && isnan(a[2]));
+    assert_int_equal(cagd_conic_implicit(R, w, no_numbers(a)), CAGD_OK);
+    assert_true(isfinite(a[5]) && isnan(a[6]));
+}
+
 static void what_has_no_value_is_undefined(void **state)
 {
     (void)state;
@@ -172,6 +229,42 @@ static void what_leaves_binary64_is_out_of_range(void **state)
     assert_int_equal(cagd_rational_standard_form(2, far, out), CAGD_OVERFLOW);
     assert_int_equal(cagd_rational_reparametrize(2, far, 0x1p-600, 1, out), CAGD_OVERFLOW);
     assert_int_equal(cagd_bernstein(CAGD_MAX_DEGREE, 1e300, out), CAGD_OVERFLOW);
+}
+
+/* Each weight, and each coordinate, is in range or not by itself, whichever it is. */
+static void whichever_number_leaves_the_range_is_seen(void **state)
+{
+    (void)state;
+    enum { LAST = (N + 1) * DIM - 1 };
+    double out[16], spare[16], a[8], b[8], ones[] = {1, 1, 1, 1};
+    for (int i = 0; i <= N; i++) {
+        double small[] = {1, 1, 1, 1}, large[] = {1, 1, 1, 1};
+        small[i] = 0x1p-600, large[i] = 0x1p600;
+        assert_int_equal(cagd_rational_reparametrize(N, small, 0x1p-200, 0x1p-200, out), CAGD_OVERFLOW);
+        assert_int_equal(cagd_rational_reparametrize(N, large, 0x1p200, 0x1p200, out), CAGD_OVERFLOW);
+        small[i] = 0; /* stays 0, of which nothing is lost */
+        assert_int_equal(cagd_rational_reparametrize(N, small, 0x1p-200, 0x1p-200, out), CAGD_OK);
+        assert_true(out[i] == 0);
+    }
+    /* At t = 2 the last coordinate of the left part alone; at t = -1 the first of the right part. */
+    double points[LAST + 1] = {0};
+    points[LAST] = DBL_MAX;
+    assert_int_equal(cagd_bezier_point(N, DIM, points, 2, out), CAGD_OVERFLOW);
+    assert_int_equal(cagd_bezier_split(N, DIM, points, 2, out, spare), CAGD_OVERFLOW);
+    assert_int_equal(cagd_rational_split(N, DIM, points, ones, 2, out, a, spare, b), CAGD_OVERFLOW);
+    points[LAST] = 0, points[0] = DBL_MAX;
+    assert_int_equal(cagd_bezier_split(N, DIM, points, -1, out, spare), CAGD_OVERFLOW);
+    assert_int_equal(cagd_rational_split(N, DIM, points, ones, -1, out, a, spare, b), CAGD_OVERFLOW);
+    /* Elevation has a weight that is nearly 0, and there the last coordinate alone. */
+    const double nearly[] = {1, 1, 1, -3 * (1 - 0x1p-50)};
+    double last[LAST + 1] = {0};
+    last[LAST] = 0x1p900;
+    assert_int_equal(cagd_rational_elevate(N, DIM, last, nearly, out, a), CAGD_OK);
+    last[LAST] = 0x1p1000;
+    assert_int_equal(cagd_rational_elevate(N, DIM, last, nearly, out, a), CAGD_OVERFLOW);
+    /* The last weight of the left part alone, whose points are 0. */
+    const double zero[] = {0, 0}, opposite[] = {DBL_MAX, -DBL_MAX};
+    assert_int_equal(cagd_rational_split(1, 1, zero, opposite, 2, out, a, spare, b), CAGD_OVERFLOW);
 }
 
 static cagd_conic_type type_of(double a, double b, double c)
@@ -199,6 +292,14 @@ static void conic_types_are_exact(void **state)
     assert_int_equal(type_of(0x1p1000, 0x1p1000, nextafter(0x1p1000, 1)), CAGD_HYPERBOLA);
     assert_int_equal(type_of(0x1p1000, 1, 0x1p-1000), CAGD_PARABOLA);
     assert_int_equal(type_of(0x1p-1074, 0x1p-1074, 0x1p-1074), CAGD_PARABOLA);
+    for (int e = -1001; e <= 1001; e += 1001) /* a and c whose exponents differ by an odd number */
+        for (int k = 0; k < 2; k++) {
+            double a = ldexp(1, e), s = ldexp(1.5, e), c = ldexp(2.25, e);
+            assert_int_equal(k ? type_of(c, s, a) : type_of(a, s, c), CAGD_PARABOLA);
+            assert_int_equal(k ? type_of(nextafter(c, 0), s, a) : type_of(a, s, nextafter(c, 0)), CAGD_HYPERBOLA);
+            assert_int_equal(k ? type_of(nextafter(c, DBL_MAX), s, a) : type_of(a, s, nextafter(c, DBL_MAX)),
+                             CAGD_ELLIPSE);
+        }
     assert_int_equal(type_of(1, 0x1p-1074, 1), CAGD_ELLIPSE);
     assert_int_equal(type_of(1, DBL_MAX, 1), CAGD_HYPERBOLA);
     assert_int_equal(type_of(-2, 0.5, -3), CAGD_ELLIPSE);
@@ -236,8 +337,11 @@ int main(void)
         cmocka_unit_test(curvature_has_no_range_of_its_own),
         cmocka_unit_test(curvature_and_torsion_of_a_quartic),
         cmocka_unit_test(bad_arguments_are_refused),
+        cmocka_unit_test(every_coordinate_is_asked_for),
+        cmocka_unit_test(nothing_behind_a_result_counts),
         cmocka_unit_test(what_has_no_value_is_undefined),
         cmocka_unit_test(what_leaves_binary64_is_out_of_range),
+        cmocka_unit_test(whichever_number_leaves_the_range_is_seen),
         cmocka_unit_test(conic_types_are_exact),
         cmocka_unit_test(every_status_has_its_own_text),
         cmocka_unit_test(the_header_has_the_version_of_the_library),

@@ -93,6 +93,34 @@ static const datum three[] = {
     {.name = "x", .text = "3", .rows = 1, .columns = 1, .value = VALUES("3")},
     {.name = "x + 1", .text = "4", .rows = 1, .columns = 1, .value = VALUES("4"), .place = IN_RESULT},
     {.name = NULL}};
+/* Two results. */
+static void is_four_twice_q(trial *T)
+{
+    found_q(T, "x + 2", add_q(given_q(T, "x"), from_int_q(2)));
+    is_four_q(T);
+}
+static const datum two_results[] = {
+    {.name = "x", .text = "3", .rows = 1, .columns = 1, .value = VALUES("3")},
+    {.name = "x + 1", .text = "4", .rows = 1, .columns = 1, .value = VALUES("4"), .place = IN_RESULT},
+    {.name = "x + 2", .text = "5", .rows = 1, .columns = 1, .value = VALUES("5"), .place = IN_RESULT},
+    {.name = NULL}};
+/* In a paragraph of 92 columns that begins in the seventh, the first is a line, and the second one column too long. */
+static const datum in_one_line[] = {
+    {.name = "x",
+     .text = "3, as many as a triangle has sides, and one less than a square has",
+     .rows = 1,
+     .columns = 1,
+     .value = VALUES("3")},
+    {.name = "x + 1", .text = "4", .rows = 1, .columns = 1, .value = VALUES("4"), .place = IN_RESULT},
+    {.name = NULL}};
+static const datum in_two_lines[] = {
+    {.name = "x",
+     .text = "3, as many as a triangle has corners and one less than a square has",
+     .rows = 1,
+     .columns = 1,
+     .value = VALUES("3")},
+    {.name = "x + 1", .text = "4", .rows = 1, .columns = 1, .value = VALUES("4"), .place = IN_RESULT},
+    {.name = NULL}};
 static const datum only_three[] = {{.name = "x", .text = "3", .rows = 1, .columns = 1, .value = VALUES("3")},
                                    {.name = NULL}};
 #define TEXTS(claim_name, in_file, at)                                                                                 \
@@ -176,6 +204,47 @@ static const statement few_statements[] = {
      .links = LINKS({READING, "square_is_product", "because it is so", "one way", NULL},
                     {READING, "square_is_product", NULL, "another way", NULL})},
     {.id = NULL}};
+/* What does not go into one line of a narrow terminal; outcomes of every kind; ranks with gaps, one of a statement that holds; the two ways to
+ * refer to a source, and what is none; readings that nobody decided. */
+static void is_not_i(trial *T)
+{
+    num_i x = positive_i(T, "x", 1);
+    same_i(T, x, add_i(x, from_int_i(1)));
+}
+static claim told_claims[] = {
+    {TEXTS("three_is_four_in_whatever_way_it_is_counted", "two", 40), .kind = COUNTEREXAMPLE,
+     .body = {[RATIONAL_TYPE] = is_four_q}, .data = in_one_line},
+    {TEXTS("three_is_four_once_more", "two", 42), .kind = COUNTEREXAMPLE, .body = {[RATIONAL_TYPE] = is_four_q},
+     .data = in_two_lines},
+    {TEXTS("powers_commute", "one", 28), .degree_low = 2, .degree_high = 4, .degree_sampled = 4,
+     .body = {[FIELD_TYPE] = powers_f}},
+    {TEXTS("three_has_two_results", "two", 43), .kind = COUNTEREXAMPLE, .body = {[RATIONAL_TYPE] = is_four_twice_q},
+     .data = two_results},
+    {TEXTS("decided_in_double", "two", 75), .kind = DECISION, .body = {[DOUBLE_TYPE] = double_m}},
+    {TEXTS("sum_is_double", "one", 20), .body = {[INTERVAL_TYPE] = double_i, [DOUBLE_TYPE] = double_m}},
+    {TEXTS("one_is_two_in_intervals", "two", 50), .body = {[INTERVAL_TYPE] = is_not_i}},
+    {TEXTS("nobody_knows", "two", 60), .body = {[FIELD_TYPE] = is_unable_f}},
+    {TEXTS("never_caught", "two", 80), .body = {[RATIONAL_TYPE] = never_caught_q}},
+    {.name = NULL}};
+#define FALSE_BY(name) LINKS({REFUTED_BY, name, NULL, "", NULL})
+static statement told_statements[] = {
+    {STATEMENT("1", "book", 1, "false", "", "in a paper of [book], which is no paper", ""), .striking = 4,
+     .links = FALSE_BY("three_is_four_once_more")},
+    {STATEMENT("2", "book", 2, "missing-hypothesis", "", "as in [mypaper; paper]", ""),
+     .links = FALSE_BY("three_is_four_in_whatever_way_it_is_counted")},
+    {STATEMENT("third-of-all", "book", 3, "", "", "as in [paper-two] and in [paper", ""), .striking = 2,
+     .links = LINKS({HOLDS_BY, "powers_commute", NULL, "", NULL},
+                    {NEEDS, "three_is_four_once_more", "[paper], page 7", "$y > 0$", NULL},
+                    {CITES, NULL, "[edited], 5", "a theorem", NULL})},
+    {STATEMENT("4", "book", 4, "invalid-proof", "", "", ""), .striking = 1,
+     .links = FALSE_BY("three_is_four_in_whatever_way_it_is_counted")},
+    {STATEMENT("6", "book", 6, "false", "", "", ""), .striking = 5, .links = FALSE_BY("three_has_two_results")},
+    {STATEMENT("5", "book", 5, "", "", "", ""),
+     .links =
+         LINKS({READING, "missing", "because it is so", "one way", NULL},
+               {READING, "powers_commute", NULL, "another way", NULL}, {READING, "missing", NULL, "a third way", NULL},
+               {READING, "decided_in_double", "because it is so", "a fourth way", NULL})},
+    {.id = NULL}};
 /* The entries of a table: one that holds, one with a misprint, one under a hypothesis, one that nobody decided, with a print of several lines. */
 static const statement table_statements[] = {
     {STATEMENT("table-row-1-1", "book", 1, "", "", "as in [book; paper] and by xpaper]", "picture"),
@@ -202,7 +271,8 @@ static claim good_claims[GOOD + 1];
 static const cagd_register good = {good_claims, good_statements, chapters, figures, sources, NULL, NULL, NULL},
                            bad = {claims, bad_statements, chapters, figures, sources, NULL, NULL, NULL},
                            lost = {good_claims, lost_statements, chapters, figures, sources, NULL, NULL, NULL},
-                           few = {few_claims, few_statements, chapters, figures, sources, NULL, NULL, NULL};
+                           few = {few_claims, few_statements, chapters, figures, sources, NULL, NULL, NULL},
+                           told = {told_claims, told_statements, chapters, figures, sources, NULL, NULL, NULL};
 
 /* main.c has the list of the commands; here there is no other. */
 const struct command *const commands[] = {&command_verify, NULL};
@@ -312,7 +382,10 @@ static void exit_status_is_that_of_the_verdicts(void **state)
         {&command_verify, {"nobody_knows"}, EXIT_USAGE, EXIT_NOT_AS_EXPECTED},
         {&command_verify, {"--shard", "1/9"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
         {&command_verify, {"--shard", "8/9"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_verify, {"--json", "--tap"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--shard", "8/7"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_verify, {"--shard", "1000/1000"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+        {&command_verify, {"--shard", "1/1001"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--shard", "0/7"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--shard", "7"}, EXIT_USAGE, EXIT_USAGE},
         {&command_verify, {"--junit", "/nowhere/at/all"}, EXIT_USAGE, EXIT_USAGE},
@@ -326,6 +399,9 @@ static void exit_status_is_that_of_the_verdicts(void **state)
         {&command_ledger, {"book:1"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
         {&command_ledger, {"book:3"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
         {&command_ledger, {"book:9"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_ledger, {"--json", "--summary"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_ledger, {"--json", "--striking", "1"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_ledger, {"--summary", "--striking", "1"}, EXIT_USAGE, EXIT_USAGE},
         {&command_show, {"book:1"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
         {&command_show, {"book:2"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
         {&command_show, {"book:1", "book:2"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
@@ -378,6 +454,17 @@ static void statements_are_counted(void **state)
     snprintf(path, sizeof path, "%s/manifest.json", folder);
     assert_int_equal(CALL(verify, &good, &out, "-j1", "--certificates", folder, "--junit", path), EXIT_USAGE);
     free(out);
+    static const char *const reported[] = {"ledger.txt", "summary.txt", "striking.txt", "ledger.json"};
+    for (int k = 0; k < 4; k++) {
+        snprintf(path, sizeof path, "%s/%s", folder, reported[k]);
+        assert_int_equal(CALL(verify, &good, &out, "-j1", "--report", folder, "--junit", path), EXIT_USAGE);
+        free(out);
+        snprintf(command, sizeof command, "rm -rf '%s' && mkdir -p '%s'", folder, path);
+        assert_int_equal(system(command), 0);
+        assert_int_equal(CALL(verify, &good, &out, "-j1", "--report", folder), EXIT_USAGE);
+        free(out);
+    }
+    snprintf(path, sizeof path, "%s/manifest.json", folder);
     snprintf(command, sizeof command, "rm -rf '%s' && mkdir -p '%s'", folder, path);
     assert_int_equal(system(command), 0);
     assert_int_equal(CALL(verify, &good, &out, "-j1", "--certificates", folder), EXIT_USAGE);
@@ -543,8 +630,7 @@ static void pages_say(void **state)
           "y > 0", "page 7"}},
         {"paper:4",
          {"A definition, with what is checked of it: argued for the stated instance.",
-          "A decision, an argument in words and a citation check it together.", "a theorem",
-          "A paper, pages 1 to 9"}},
+          "A decision, an argument in words and a citation check it together.", "a theorem", "A paper, pages 1 to 9"}},
         {"paper:5", {"A definition."}},
         {"paper:6",
          {"True: another way (2). False: one way (1).", "1 false one way decided by a counterexample",
@@ -578,27 +664,33 @@ static void pages_say(void **state)
     SAYS(EXIT_AS_EXPECTED, show, &good, "show-statement.json", "--json", "book:3");
 }
 
-/* The pages of all statements, of all claims and of a table, as they are laid out. */
-static void pages_are(void **state)
+/* The pages of all statements and all claims of a register are those of the file. */
+static void all_pages(const cagd_register *reg, const char *expected)
 {
-    (void)state;
     char *all = NULL, *out;
     size_t size;
     FILE *file = open_memstream(&all, &size);
     assert_non_null(file);
-    for (const statement *s = good_statements; s->id != NULL; s++) {
-        assert_int_equal(CALL(show, &good, &out, s->id), EXIT_AS_EXPECTED);
+    for (const statement *s = reg->statements; s->id != NULL; s++) {
+        (void)CALL(show, reg, &out, s->id);
         fputs(out, file);
         free(out);
     }
-    for (const claim *c = good_claims; c->name != NULL; c++) {
-        assert_int_equal(CALL(show, &good, &out, c->name), EXIT_AS_EXPECTED);
+    for (const claim *c = reg->claims; c->name != NULL; c++) {
+        (void)CALL(show, reg, &out, c->name);
         fputs(out, file);
         free(out);
     }
     fclose(file);
-    assert_expected("show-good.txt", all);
+    assert_expected(expected, all);
     free(all);
+}
+
+/* The pages of all statements, of all claims and of a table, as they are laid out. */
+static void pages_are(void **state)
+{
+    (void)state;
+    all_pages(&good, "show-good.txt");
     const cagd_register tables = {good_claims, table_statements, chapters, figures, sources,
                                   NULL,        printed_ids,      every_ids};
     SAYS(EXIT_AS_EXPECTED, show, &tables, "show-table.txt", "book:table");
@@ -607,6 +699,24 @@ static void pages_are(void **state)
     SAYS(EXIT_AS_EXPECTED, show, &tables, "show-misprint.txt", "book:table-row-1-2");
     SAYS(EXIT_AS_EXPECTED, ledger, &tables, "ledger-table.txt", "-j1");
     SAYS(EXIT_AS_EXPECTED, ledger, &tables, "ledger-table.json", "-j1", "--json");
+}
+
+/* On a terminal of 42 columns and a wide one: outcomes of every kind, literature, ranks, readings. */
+static void what_is_told_fits(void **state)
+{
+    (void)state;
+    all_pages(&told, "show-told.txt");
+    SAYS(EXIT_NOT_AS_EXPECTED, ledger, &told, "ledger-told.json", "--json");
+    SAYS(EXIT_NOT_AS_EXPECTED, ledger, &told, "ledger-told-striking.txt", "--striking", "3");
+    SAYS(EXIT_AS_EXPECTED, show, &told, "show-told-numbers.txt", "--numbers", "book:third-of-all");
+    setenv("COLUMNS", "42", 1);
+    all_pages(&told, "show-narrow.txt");
+    SAYS(EXIT_NOT_AS_EXPECTED, ledger, &told, "ledger-narrow-striking.txt", "--striking", "1");
+    SAYS(EXIT_AS_EXPECTED, ledger, &told, "ledger-narrow-one.txt", "--striking", "1", "book:1"); /* the fourth of one */
+    const cagd_register tables = {good_claims, table_statements, chapters, figures, sources,
+                                  NULL,        printed_ids,      every_ids};
+    SAYS(EXIT_AS_EXPECTED, show, &tables, "show-narrow-table.txt", "book:table");
+    unsetenv("COLUMNS");
 }
 
 /* The example of a statement, under the word for it: what one instance of a definition is, and of others that one is enough. */
@@ -701,12 +811,18 @@ int main(void)
         unit(what_few_claims_have),
         unit(pages_say),
         unit(pages_are),
+        unit(what_is_told_fits),
         unit(examples_of_statements),
         unit(files_say),
     };
     for (claim *c = claims; c->name != NULL; c++)
         if (strcmp(c->name, "three_squared") == 0)
             c->argued = "words";
+    told_claims[0].then = "the number of sides of a triangle, counted one after another from any of these, is four";
+    told_claims[1].then = "the number of corners of a triangle, counted one after the other and from one, is four";
+    told_claims[2].let = "$y = x$";
+    told_claims[2].argued = "words", told_claims[2].argued_for = "every n";
+    told_statements[2].letter = "k";
     memcpy(good_claims, claims, GOOD * sizeof *claims);
     setenv("ARGP_HELP_FMT", "", 1);
     return run_unit_tests(tests);

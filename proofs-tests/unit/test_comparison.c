@@ -50,11 +50,16 @@ static void binary64_differs_by_its_bounds(void **state)
         assert_true(T.worst > 1.5 && T.worst < 1.7);
         assert_int_equal(T.compared, 3);
         assert_int_equal(T.exhibits, 2); /* nothing was said about it */
-        assert_non_null(shown(&T, "left"));
-        assert_non_null(shown(&T, "right"));
+        char text[40];
+        snprintf(text, sizeof text, "%.17g", far.v);
+        assert_string_equal(shown(&T, turned ? "left" : "right"), text);
+        assert_string_equal(shown(&T, turned ? "right" : "left"), "1");
         done(&T);
     }
     trial T = tried();
+    same_m(&T, a, (num_m){1 + 2 * unit_roundoff, 1, 0}); /* all but as much as is allowed */
+    assert_int_equal(T.outcome, HOLDS);
+    done(&T);
     same_m(&T, exact_m(NAN), exact_m(1));
     assert_int_equal(T.outcome, FAILS);
     done(&T);
@@ -154,6 +159,23 @@ static void variables_whose_sign_was_used(void **state)
     assert_string_equal(T.positive, "x11 ax1 x1 y");
     assert_int_equal(T.outcome, HOLDS);
     assert_int_equal(T.compared, 6);
+    done(&T);
+    field_close();
+}
+
+/* Names of one letter, too, stand in the list one behind the other; each once. */
+static void signs_of_single_letters(void **state)
+{
+    (void)state;
+    trial T = tried();
+    field_open(4);
+    static const char *const names[] = {"w", "v", "w", "long"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        nonnegative_f(&T, variable_f(names[k]));
+    assert_string_equal(T.positive, "w v long");
+    same_f(&T, variable_f("v"), from_int_f(2));
+    assert_string_equal(shown(&T, "left"), "v");
+    assert_string_equal(shown(&T, "right"), "2");
     done(&T);
     field_close();
 }
@@ -635,6 +657,7 @@ int main(void)
         unit(intervals_refute_and_confirm_no_equality),
         unit(signs_in_every_type),
         unit(variables_whose_sign_was_used),
+        unit(signs_of_single_letters),
         unit(zero_in_every_type),
         unit(comparisons_are_noted),
         unit(the_generator_is_splitmix64),

@@ -256,12 +256,72 @@ static void what_has_no_value_is_told(void **state)
         }
 }
 
+/* Over knots that are not clamped the domain is [3, 4]: the spans before and behind it are none, for an array of parameters as for one. */
+static void outside_the_domain_is_no_span(void **state)
+{
+    (void)state;
+    const double integers[8] = {0, 1, 2, 3, 4, 5, 6, 7}, P[4] = {2, 3, 5, 7};
+    const cagd_spline s = {3, 4, 1, integers, P, NULL};
+    cagd_curve *c = cagd_curve_new(&s, NULL, NULL);
+    assert_non_null(c);
+    for (int k = 0; k < 14; k++) {
+        const double t = k / 2.0;
+        const cagd_status expected = t < 3 || t > 4 ? CAGD_OUTSIDE_DOMAIN : CAGD_OK;
+        for (int side = 0; side < 2; side++) {
+            double out[1];
+            int where;
+            assert_int_equal(cagd_curve_point(c, t, side ? CAGD_LEFT : CAGD_RIGHT, out), expected);
+            assert_int_equal(cagd_curve_points(c, 1, &t, side ? CAGD_LEFT : CAGD_RIGHT, out, &where), expected);
+            assert_int_equal(where, expected == CAGD_OK ? -1 : 0);
+        }
+    }
+    cagd_curve_free(c);
+}
+
+/* Of the points 0, whose total weight t/3 DBL_MAX + (3 - t)/3 DBL_MAX is rounded beyond the range for some t, and of a parabola whose third
+ * coordinate alone has a second derivative that is. */
+static void the_last_number_that_is_out_of_range_is_seen(void **state)
+{
+    (void)state;
+    enum { TRIED = 1000 };
+    const double line[4] = {0, 0, 3, 3}, zero[6] = {0}, largest[2] = {DBL_MAX, DBL_MAX};
+    double out[9];
+    int beyond = 0;
+    for (int dim = 1; dim <= 3; dim++) {
+        const cagd_spline s = {1, 2, dim, line, zero, largest};
+        cagd_curve *c = cagd_curve_new(&s, NULL, NULL);
+        assert_non_null(c);
+        for (int k = 1; k < TRIED; k++) {
+            const double t = 3.0 * k / TRIED;
+            const cagd_status expected = isinf(t / 3 * DBL_MAX + (3 - t) / 3 * DBL_MAX) ? CAGD_OVERFLOW : CAGD_OK;
+            beyond += expected == CAGD_OVERFLOW;
+            assert_int_equal(cagd_curve_point(c, t, CAGD_RIGHT, out), expected);
+            assert_int_equal(cagd_curve_derivatives(c, t, CAGD_RIGHT, 0, out), expected);
+            assert_int_equal(cagd_curve_derivatives(c, t, CAGD_RIGHT, 1, out), expected);
+        }
+        cagd_curve_free(c);
+    }
+    assert_true(beyond > 0);
+    const double knot[6] = {0, 0, 0, 1, 1, 1}, high = DBL_MAX / 4, P[9] = {1, 2, high, 3, 5, -high, 7, 4, high};
+    const cagd_spline parabola = {2, 3, 3, knot, P, NULL};
+    cagd_curve *c = cagd_curve_new(&parabola, NULL, NULL);
+    assert_non_null(c);
+    assert_int_equal(cagd_curve_derivatives(c, 0.25, CAGD_RIGHT, 1, out), CAGD_OK);
+    assert_int_equal(cagd_curve_derivatives(c, 0.25, CAGD_RIGHT, 2, out), CAGD_OVERFLOW);
+    assert_true(isfinite(out[7]) && isinf(out[8]));
+    cagd_curve_free(c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values_are_those_of_the_spline), cmocka_unit_test(the_spline_may_go),
-        cmocka_unit_test(threads_share_a_curve),          cmocka_unit_test(what_is_wrong_is_refused),
+        cmocka_unit_test(values_are_those_of_the_spline),
+        cmocka_unit_test(the_spline_may_go),
+        cmocka_unit_test(threads_share_a_curve),
+        cmocka_unit_test(what_is_wrong_is_refused),
         cmocka_unit_test(what_has_no_value_is_told),
+        cmocka_unit_test(the_last_number_that_is_out_of_range_is_seen),
+        cmocka_unit_test(outside_the_domain_is_no_span),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -77,6 +77,124 @@ static void roots_of_several_polynomials_are_told_apart(void **state)
     assert_true(cagd_compare_q(root[0].hi, root[1].lo) < 0 && cagd_compare_q(root[1].hi, root[2].lo) < 0);
     assert_true(cagd_compare_q(root[1].lo, from_int_q(1)) <= 0 && cagd_compare_q(root[1].hi, from_int_q(1)) >= 0);
     assert_int_equal(cagd_roots_over_k(&a, 3, over, 2, root), -1);
+    /* 0 and numbers have none. */
+    cagd_over_k more[] = {cagd_algebraic_polynomial(&a, whole(0), x), cagd_algebraic_polynomial(&a, X, x), over[0]};
+    assert_int_equal(more[0].degree, -1);
+    assert_int_equal(more[1].degree, 0);
+    assert_int_equal(cagd_roots_over_k(&a, 3, more, 8, root), 2);
+}
+
+static num_f power(num_f a, int n) { return n == 0 ? whole(1) : mul_f(a, power(a, n - 1)); }
+
+/* The limits, and on each the last that is within. */
+static void what_is_too_large_is_refused(void **state)
+{
+    (void)state;
+    open_field();
+    num_f x[] = {X, Y, Z};
+    cagd_algebraic_point origin = cagd_algebraic_origin(), a = with_greatest_root(origin, sub_f(square(X), whole(2)));
+    assert_int_equal(cagd_algebraic_polynomial(&origin, power(X, CAGD_MOST_OVER_K), x).degree, CAGD_MOST_OVER_K);
+    assert_int_equal(region_faults, 0);
+    assert_int_equal(cagd_algebraic_polynomial(&origin, power(X, CAGD_MOST_OVER_K + 1), x).degree, -1);
+    expect_fault(FAULT_UNABLE);
+    /* A variable that is no coordinate; an element that was not reduced, which no interval tells from 0. */
+    cagd_algebraic_value(&a, add_f(X, Z), x);
+    expect_fault(FAULT_UNABLE);
+    cagd_algebraic_sign(&a, a.theta.factor);
+    expect_fault(FAULT_UNABLE);
+    /* 0 has no inverse. */
+    cagd_over_k no_root = {.degree = 1, .c = {poly_constant(from_int_q(1)), poly_constant(from_int_q(0))}};
+    cagd_root_over_k nowhere = {from_int_q(0), from_int_q(1), &no_root};
+    cagd_algebraic_with_root(&a, &nowhere, X);
+    expect_fault(FAULT_UNDEFINED);
+    /* One coordinate more than there is room for, as a number and as a root. */
+    cagd_algebraic_point full = a;
+    while (full.count < CAGD_MOST_COORDINATES)
+        full = cagd_algebraic_with_number(&full, from_int_q(full.count));
+    assert_int_equal(region_faults, 0);
+    assert_int_equal(cagd_algebraic_with_number(&full, from_int_q(8)).count, CAGD_MOST_COORDINATES);
+    expect_fault(FAULT_UNABLE);
+    cagd_over_k over = cagd_algebraic_polynomial(&a, sub_f(square(Y), X), x);
+    cagd_root_over_k root[4];
+    assert_int_equal(cagd_roots_over_k(&a, 1, &over, 4, root), 2);
+    assert_int_equal(cagd_algebraic_with_root(&full, &root[1], X).count, CAGD_MOST_COORDINATES);
+    expect_fault(FAULT_UNABLE);
+}
+
+/* 48 is the highest degree over Q, and 24 that of m and D together.  A number is one in whatever polynomial it is a root of. */
+static void fields_of_too_high_degree_are_refused(void **state)
+{
+    (void)state;
+    open_field();
+    static const struct {
+        int over, degree, is_good;
+    } list[] = {{2, 3, 1}, {5, 10, 0}, {2, 23, 0}, {6, 7, 1}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        num_f x[] = {X, Y};
+        cagd_algebraic_point a = with_greatest_root(cagd_algebraic_origin(), sub_f(power(X, list[k].over), whole(2)));
+        num_f p = sub_f(power(Y, list[k].degree), X), numbers = mul_f(sub_f(Y, whole(3)), p);
+        cagd_root_over_k root[4];
+        cagd_over_k over = cagd_algebraic_polynomial(&a, p, x);
+        int count = cagd_roots_over_k(&a, 1, &over, 4, root);
+        cagd_algebraic_point b = cagd_algebraic_with_root(&a, &root[count - 1], X);
+        expect_fault(list[k].is_good ? 0 : FAULT_UNABLE);
+        if (list[k].is_good) {
+            assert_int_equal(cagd_poly_degree(b.theta.factor), list[k].over * list[k].degree);
+            assert_int_equal(cagd_algebraic_sign(&b, cagd_algebraic_value(&b, p, x)), 0);
+        }
+        over = cagd_algebraic_polynomial(&a, numbers, x); /* its greatest root is 3 */
+        count = cagd_roots_over_k(&a, 1, &over, 4, root);
+        cagd_root_over_k three = {from_int_q(3), from_int_q(3), root[count - 1].of};
+        assert_true(cagd_compare_q(root[count - 1].lo, three.lo) <= 0 &&
+                    cagd_compare_q(root[count - 1].hi, three.lo) >= 0);
+        b = cagd_algebraic_with_root(&a, &three, X);
+        assert_int_equal(region_faults, 0);
+        assert_int_equal(b.count, 2);
+        assert_true(cagd_equal_q(poly_coefficient(b.coordinate[1], 0), from_int_q(3)));
+    }
+}
+
+/* Among the y = -jx, j in S, over the square root of 2, eta + c theta is no primitive element where -2c is a sum of two elements
+ * of -S.  With 1, 3, ..., 11 that is so for all c up to 11; with 13 for 12, too, and no further one is tried. */
+static void a_primitive_element_is_looked_for(void **state)
+{
+    (void)state;
+    for (int last = 11; last <= 13; last += 2) {
+        open_field();
+        num_f x[] = {X, Y}, p = whole(1);
+        cagd_algebraic_point a = with_greatest_root(cagd_algebraic_origin(), sub_f(square(X), whole(2)));
+        for (int j = 1; j <= last; j += 2)
+            p = mul_f(p, add_f(Y, mul_f(whole(j), X)));
+        cagd_root_over_k root[8];
+        cagd_over_k over = cagd_algebraic_polynomial(&a, p, x);
+        assert_int_equal(cagd_roots_over_k(&a, 1, &over, 8, root), (last + 1) / 2);
+        cagd_algebraic_point b = cagd_algebraic_with_root(&a, &root[0], X);
+        expect_fault(last == 11 ? 0 : FAULT_UNABLE);
+        if (last == 11) {
+            num_f zero = add_f(Y, mul_f(whole(last), X));
+            assert_int_equal(cagd_poly_degree(b.theta.factor), 2);
+            assert_int_equal(cagd_algebraic_sign(&b, cagd_algebraic_value(&b, zero, x)), 0);
+        }
+    }
+}
+
+/* A root in an open interval, at whose lower end there is another: y(y^2 - 2) and y(y - 1) in (0,2). */
+static void another_root_at_the_end_is_left_out(void **state)
+{
+    (void)state;
+    open_field();
+    num_f x[] = {X};
+    cagd_algebraic_point origin = cagd_algebraic_origin();
+    for (int is_number = 0; is_number < 2; is_number++) {
+        num_f p = mul_f(X, is_number ? sub_f(X, whole(1)) : sub_f(square(X), whole(2)));
+        cagd_over_k over = cagd_algebraic_polynomial(&origin, p, x);
+        cagd_root_over_k root = {from_int_q(0), from_int_q(2), &over};
+        cagd_algebraic_point a = cagd_algebraic_with_root(&origin, &root, X);
+        assert_int_equal(region_faults, 0);
+        assert_int_equal(cagd_poly_degree(a.theta.factor), is_number ? 1 : 2);
+        assert_int_equal(cagd_algebraic_sign(&a, cagd_algebraic_value(&a, p, x)), 0);
+        assert_int_equal(cagd_algebraic_sign(&a, cagd_algebraic_value(&a, X, x)), 1);
+    }
 }
 
 static unsigned at_least(void) { return CAGD_IS_ZERO | CAGD_IS_POSITIVE; }
@@ -122,6 +240,50 @@ static void what_touches_is_decided(void **state)
     cagd_algebraic_point at;
     assert_int_equal(cagd_implies(3, mean, (cagd_sign_condition){gap, at_least()}, 3, x, cagd_seconds() - 1, &at),
                      CAGD_IMPLICATION_NOT_KNOWN);
+}
+
+/* More variables, conditions, polynomials, roots and higher degrees than are looked at; on each limit the last that is decided. */
+static void what_is_too_much_is_not_known(void **state)
+{
+    (void)state;
+    enum { MOST = 60 };
+    open_field();
+    num_f x[] = {X, Y, Z};
+    cagd_algebraic_point at;
+    cagd_sign_condition c[MOST], claim = {X, at_least()};
+    const double until = cagd_seconds() + SURE;
+    assert_int_equal(cagd_implies(0, c, claim, 0, x, until, &at), CAGD_IMPLICATION_NOT_KNOWN);
+    assert_int_equal(cagd_implies(0, c, claim, CAGD_MOST_COORDINATES + 1, x, until, &at), CAGD_IMPLICATION_NOT_KNOWN);
+    assert_int_equal(cagd_implies(0, c, claim, 1, x, until, &at), CAGD_NOT_IMPLIED);
+    /* x > k for many k, each with the number before. */
+    for (int k = 0; k < MOST; k++)
+        c[k] = (cagd_sign_condition){sub_f(X, whole(k)), CAGD_IS_POSITIVE};
+    assert_int_equal(ask(MOST - 1, c, X, CAGD_IS_POSITIVE, 1), CAGD_IMPLIED);
+    assert_int_equal(ask(MOST, c, X, CAGD_IS_POSITIVE, 1), CAGD_IMPLICATION_NOT_KNOWN);
+    for (int k = 0; k < MOST / 2; k++)
+        c[k].p = mul_f(sub_f(X, whole(2 * k)), sub_f(X, whole(2 * k + 1)));
+    assert_int_equal(ask(MOST / 2, c, square(X), at_least(), 1), CAGD_IMPLIED);
+    assert_int_equal(ask(MOST / 2, c, sub_f(X, whole(-1)), at_least(), 1), CAGD_IMPLICATION_NOT_KNOWN);
+    /* (x + 1)y - 1 has a leading coefficient that is one more, and so has the resultant of y - x and y + x + 2; y - 7 has none. */
+    num_f coefficient = sub_f(mul_f(add_f(X, whole(1)), Y), whole(1));
+    assert_int_equal(ask(MOST / 2, c, coefficient, at_least(), 2), CAGD_IMPLICATION_NOT_KNOWN);
+    c[MOST / 2] = (cagd_sign_condition){sub_f(Y, X), CAGD_IS_POSITIVE};
+    assert_int_equal(ask(MOST / 2 + 1, c, add_f(Y, add_f(X, whole(2))), at_least(), 2), CAGD_IMPLICATION_NOT_KNOWN);
+    assert_int_equal(ask(MOST / 2 + 1, c, Y, at_least(), 2), CAGD_NOT_IMPLIED);
+    /* (1 + x + y + z)^30 + 1/3 has more than 4000 terms. */
+    num_f large = add_f(power(add_f(add_f(X, Y), add_f(Z, whole(1))), 30), from_ratio_f(1, 3));
+    assert_int_equal(ask(0, c, large, CAGD_IS_POSITIVE, 3), CAGD_IMPLICATION_NOT_KNOWN);
+    /* y^12 + x^12 + 1 > 0, and the same with 14. */
+    for (int n = 12; n <= 14; n += 2)
+        assert_int_equal(ask(0, c, add_f(add_f(power(X, n), power(Y, n)), whole(1)), CAGD_IS_POSITIVE, 2),
+                         n == 12 ? CAGD_IMPLIED : CAGD_IMPLICATION_NOT_KNOWN);
+    /* x^4 - 10 x^2 + 1 has the roots +-sqrt 2 +- sqrt 3: 50 of them, moved, have 200 together, and 51 have too many. */
+    for (int k = 0; k < 51; k++) {
+        num_f moved = square(sub_f(X, whole(7 * k)));
+        c[k] = (cagd_sign_condition){add_f(sub_f(square(moved), mul_f(whole(10), moved)), whole(1)), CAGD_IS_POSITIVE};
+    }
+    assert_int_equal(ask(49, c, c[49].p, CAGD_IS_POSITIVE, 1), CAGD_NOT_IMPLIED);
+    assert_int_equal(ask(50, c, c[50].p, CAGD_IS_POSITIVE, 1), CAGD_IMPLICATION_NOT_KNOWN);
 }
 
 static num_f random_polynomial(int variables, int degree)
@@ -200,7 +362,13 @@ static void random_implications_are_those_of_a_grid(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(roots_over_roots_are_the_numbers_they_are),
-                                       unit(roots_of_several_polynomials_are_told_apart), unit(what_touches_is_decided),
+                                       unit(roots_of_several_polynomials_are_told_apart),
+                                       unit(what_is_too_large_is_refused),
+                                       unit(fields_of_too_high_degree_are_refused),
+                                       unit(a_primitive_element_is_looked_for),
+                                       unit(another_root_at_the_end_is_left_out),
+                                       unit(what_touches_is_decided),
+                                       unit(what_is_too_much_is_not_known),
                                        unit(random_implications_are_those_of_a_grid)};
     return run_unit_tests(tests);
 }

@@ -128,13 +128,31 @@ static void the_degree_is_shown_once(void **state)
         }
 }
 
-static void a_whole_number_is_a_variable_of_the_field(void **state)
+/* A claim without a letter has degrees n. */
+static void the_letter_is_n_where_none_is_given(void **state)
+{
+    (void)state;
+    static const char *const letter[] = {NULL, "", "n"};
+    for (int k = 0; k < 3; k++) {
+        const claim c = {.name = "shown", .scope = "", .letter = letter[k], .degree_low = 1, .degree_high = 5};
+        trial T = {.claim = &c, .degree = 3};
+        show_degree(&c, &T);
+        assert_int_equal(T.exhibits, 1);
+        assert_string_equal(T.shown[0].name, "n");
+        forget_exhibits(T.shown, T.exhibits);
+    }
+}
+
+static void a_number_without_index_is_a_variable_of_the_field(void **state)
 {
     (void)state;
     static const claim c = {.name = "whole", .scope = ""};
     trial T = {.claim = &c};
-    field_open(2);
+    field_open(4);
     assert_true(equal_f(whole_f(&T, "m", 0, 5), variable_f("m")));
+    assert_true(equal_f(unknown_f(&T, "a", ALONE), variable_f("a")));
+    assert_true(equal_f(positive_f(&T, "b", ALONE), variable_f("b")));
+    assert_true(equal_f(unknown_f(&T, "a", 7), variable_f("a7")));
     field_close();
 }
 
@@ -248,6 +266,72 @@ static void degrees_without_end(void **state)
     assert_scope("from_none", "n", "every n");
     assert_scope("orders", "k", "every k from 2 on"); /* the order, one more than the degree, stays without end */
     assert_scope("orders", "n", "every n from 1 on");
+}
+
+/* What w# means has an index; of the letters those of a statement are left, the first of the Greek ones as well. */
+static void names_and_what_they_stand_for(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *over, *variables, *left, *words;
+    } list[] = {{"w#: weights", "w0 w1", NULL, "all weights"},
+                {"w#: weights", "w w0", NULL, "all weights, all other data"},
+                {"alpha; beta", "alpha beta", NULL, "every α and β"},
+                {"alpha; beta", "alpha beta", "x alpha", "every α"},
+                {"alpha; beta", "alpha beta", "beta", "every β"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        const claim c = {.name = "names", .scope = "", .over = list[k].over, .argued_for = ""};
+        char variables[32], positive[] = "";
+        strcpy(variables, list[k].variables);
+        claim_result r = {.claim = &c, .computed = PROVED, .evidence = PROVED};
+        r.by[FIELD_TYPE] = (type_result){.ran = 1, .outcome = HOLDS, .variables = variables, .positive = positive};
+        scope s = scope_of(&r);
+        if (list[k].left != NULL)
+            leave_letters(&s, list[k].left);
+        char *words = scope_words(&s, "n");
+        assert_string_equal(words, list[k].words);
+        free(words);
+        free_scope(&s);
+    }
+}
+
+/* Two that are about different things, the first of them, too. */
+static void data_of_different_kinds_are_mixed(void **state)
+{
+    (void)state;
+    static const char *const over[] = {"x#: points", "x#: nodes", "x#: points; w#: weights"};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const claim c[] = {{.name = "one", .scope = "", .over = over[i], .argued_for = ""},
+                               {.name = "other", .scope = "", .over = over[j], .argued_for = ""}};
+            scope s[2];
+            for (int k = 0; k < 2; k++) {
+                char variables[] = "x0 w0", points[] = "x0", positive[] = "";
+                claim_result r = {.claim = &c[k], .computed = PROVED, .evidence = PROVED};
+                r.by[FIELD_TYPE] = (type_result){.ran = 1,
+                                                 .outcome = HOLDS,
+                                                 .variables = (k == 0 ? i : j) == 2 ? variables : points,
+                                                 .positive = positive};
+                s[k] = scope_of(&r);
+            }
+            meet_scope(&s[0], &s[1]);
+            assert_int_equal(s[0].mixed, (i == 1) != (j == 1));
+            free_scope(&s[0]);
+            free_scope(&s[1]);
+        }
+}
+
+/* Where something is proved, and something sampled, the instances stay. */
+static void what_is_proved_has_no_instances(void **state)
+{
+    (void)state;
+    for (int turned = 0; turned < 2; turned++) {
+        scope a = {.instances = turned ? 0 : 12}, b = {.instances = turned ? 12 : 0};
+        meet_scope(&a, &b);
+        assert_int_equal(a.instances, 12);
+        free_scope(&a);
+        free_scope(&b);
+    }
 }
 
 static void of_instances_the_fewest_are_told(void **state)
@@ -637,6 +721,28 @@ static void an_instance_compares_something(void **state)
     forget_exhibits(shown, count);
 }
 
+/* Numbers of one name whose indices follow one another are told together, whatever stands before them. */
+static void numbers_in_rows_q(trial *T)
+{
+    num_q sum = from_int_q(1);
+    for (int k = 0; k < 4; k++)
+        sum = add_q(sum, unknown_q(T, k < 2 ? "x" : "w", k));
+    same_q(T, mul_q(sum, unknown_q(T, "w", 7)), from_int_q(T->planted ? 1 : 2));
+}
+static void rows_of_numbers_are_told_by_their_ends(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"x0 to x1", "w2 to w3", "w7"};
+    const claim c = {.name = "rows", .scope = "", .body = {[RATIONAL_TYPE] = numbers_in_rows_q}};
+    exhibit *shown;
+    int count;
+    find_witness(&c, &shown, &count);
+    assert_true(count >= 3);
+    for (int k = 0; k < 3; k++)
+        assert_string_equal(shown[k].name, name[k]);
+    forget_exhibits(shown, count);
+}
+
 static void is_two_q(trial *T) { same_q(T, unknown_q(T, "x", 0), from_int_q(2)); }
 static void the_search_for_a_witness_leaves_the_faults(void **state)
 {
@@ -719,6 +825,9 @@ int main(void)
                                        unit(entries_beyond_the_bits_of_an_int),
                                        unit(degrees_without_end),
                                        unit(of_instances_the_fewest_are_told),
+                                       unit(names_and_what_they_stand_for),
+                                       unit(data_of_different_kinds_are_mixed),
+                                       unit(what_is_proved_has_no_instances),
                                        unit(a_correction_needs_a_case),
                                        unit(orders_are_one_more),
                                        unit(letters_of_the_degree),
@@ -733,9 +842,11 @@ int main(void)
                                        unit(what_is_recorded_is_counted),
                                        unit(links_are_a_list),
                                        unit(the_degree_is_shown_once),
-                                       unit(a_whole_number_is_a_variable_of_the_field),
+                                       unit(the_letter_is_n_where_none_is_given),
+                                       unit(a_number_without_index_is_a_variable_of_the_field),
                                        unit(a_search_among_more_inputs_than_are_kept),
                                        unit(of_two_cases_the_long_one_is_left_out),
+                                       unit(rows_of_numbers_are_told_by_their_ends),
                                        unit(the_search_for_a_witness_leaves_the_faults)};
     return run_unit_tests(tests);
 }

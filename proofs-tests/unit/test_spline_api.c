@@ -200,7 +200,8 @@ static void bad_splines_are_refused(void **state)
     REFUSED(s.points = NULL, CAGD_NULL, -1);
     REFUSED((bad[5] = 0.6, s.knots = bad), CAGD_KNOTS_DECREASE, 5);
     REFUSED((bad[4] = 0, s.knots = bad), CAGD_KNOTS_MULTIPLE, 4);
-    REFUSED((bad[6] = NAN, s.knots = bad), CAGD_NOT_FINITE, 6);
+    for (int i = 0; i < n + P + 1; i++) /* whichever it is, and none behind them */
+        REFUSED((bad[i] = i % 2 ? NAN : INFINITY, s.knots = bad), CAGD_NOT_FINITE, i);
     s = good;
     memcpy(bad, (double[]){0, 1, 2, 3, 3, 4, 5, 6}, 8 * sizeof bad[0]); /* one span, and it is empty */
     s.count = P + 1;
@@ -261,6 +262,34 @@ static void what_has_no_value_is_undefined(void **state)
     }
 }
 
+/* Over a segment of length 3 the affine combination t/3 c + (3 - t)/3 c of c = DBL_MAX is rounded beyond the range for some t: of one coordinate,
+ * whichever it is, and of the weights of points that are 0. */
+static void one_number_that_is_out_of_range_is_seen(void **state)
+{
+    (void)state;
+    enum { TRIED = 1000, MOST_DIM = 3 };
+    const double line[4] = {0, 0, 3, 3}, zero[2 * MOST_DIM] = {0}, largest[2] = {DBL_MAX, DBL_MAX};
+    double out[ROOM];
+    int beyond = 0;
+    for (int k = 1; k < TRIED; k++) {
+        const double t = 3.0 * k / TRIED;
+        const cagd_status expected = isinf(t / 3 * DBL_MAX + (3 - t) / 3 * DBL_MAX) ? CAGD_OVERFLOW : CAGD_OK;
+        beyond += expected == CAGD_OVERFLOW;
+        for (int dim = 1; dim <= MOST_DIM; dim++)
+            for (int which = -1; which < dim; which++) {
+                double c[2 * MOST_DIM] = {0};
+                for (int i = 0; i < 2 && which >= 0; i++)
+                    c[i * dim + which] = DBL_MAX;
+                const cagd_spline s = {1, 2, dim, line, which < 0 ? zero : c, which < 0 ? largest : NULL};
+                assert_int_equal(cagd_spline_point(&s, t, CAGD_RIGHT, out), expected);
+                assert_int_equal(cagd_spline_insert(&s, t, out, out + 8, out + 32), expected);
+                assert_int_equal(cagd_spline_split(&s, t, out, out + 8, out + 16, out + 24, out + 32, out + 40),
+                                 expected);
+            }
+    }
+    assert_true(beyond > 0);
+}
+
 /* A knot p+2 times at the very end is too many; of the end of the domain, a knot twice that is no end of the knots, nothing is lowered. */
 static void knots_at_the_end(void **state)
 {
@@ -283,9 +312,13 @@ static void knots_at_the_end(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values_are_the_kernels),         cmocka_unit_test(insertion_and_split_are_the_kernels),
-        cmocka_unit_test(elevation_is_the_kernel),        cmocka_unit_test(bad_splines_are_refused),
-        cmocka_unit_test(what_has_no_value_is_undefined), cmocka_unit_test(knots_at_the_end),
+        cmocka_unit_test(values_are_the_kernels),
+        cmocka_unit_test(insertion_and_split_are_the_kernels),
+        cmocka_unit_test(elevation_is_the_kernel),
+        cmocka_unit_test(bad_splines_are_refused),
+        cmocka_unit_test(what_has_no_value_is_undefined),
+        cmocka_unit_test(knots_at_the_end),
+        cmocka_unit_test(one_number_that_is_out_of_range_is_seen),
     };
     return cmocka_run_group_tests(tests, setup, NULL);
 }
