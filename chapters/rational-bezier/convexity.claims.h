@@ -520,8 +520,8 @@ CLAIM(mixed_weights_lose_convexity)
   are positive
 :hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
   boundary of a convex region once: as for the property itself, which fails without it and so has no proof
-:argued: | The points of such a polygon have no triangle that turns to the other side.  Repeated, the subdivided polygons converge to the curve, and a
-  limit of convex polygons is convex.
+:argued: | The points of such a polygon have no triangle that turns to the other side.  Repeated at a fixed ratio, the subdivided polygons converge to
+  the curve (`wang-ch3:rem-3.3.1-uniform`; with ratios that change they need not), and a limit of convex polygons is convex.
 :figure: convex_halves
 
 Theorem 1.4.2 is not at hand.  What is decided is that the two polygons of the halves, joined, have no triangle that turns to the

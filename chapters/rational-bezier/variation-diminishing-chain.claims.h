@@ -192,7 +192,7 @@ CLAIM(end_on_the_line_is_no_interior_root)
 :title: A power of 1-t is taken out
 :zh: 提出因子 (1-t)^n
 :printed: \sum_{i=0}^nB_i^n(t)\omega_iy_i=(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i,\quad 0<t<1
-:holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+:holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power ratio_is_an_increasing_bijection
 :confirmed-by: numerator_in_powers_of_the_ratio
 
 The range is that in which the chain counts the roots of both sides.
@@ -250,6 +250,7 @@ no root is lost and none counted twice.
 :then: $s(t)>0$, $t=\frac{s(t)}{1+s(t)}$, $s\bigl(\frac s{1+s}\bigr)=s$, and $s(t')-s(t)=\frac{t'-t}{(1-t')(1-t)}>0$
 :method: Identities in the field; the signs by coefficients, with $t=\frac p{1+p}$ and $t'=\frac{p+q}{1+p+q}$, $p,q>0$.
 :degrees: all
+:scope: 0 < t < 1
 :over: p q s: -
 :control: $(1-t)^2$ taken for $(1-t')(1-t)$
 :::
