@@ -245,7 +245,6 @@ no root is lost and none counted twice.
 :title: s = t/(1-t) runs once through the positive numbers
 :zh: s=t/(1-t) 是 (0,1) 到正数的递增双射
 :given: $0<t<1$; a second parameter $t'>t$ of $(0,1)$; $s>0$
-:harmless: $0<t<1$;  | the open interval is what is mapped
 :harmless: $t'>t$ of $(0,1)$; $s>0$ | any two parameters in order; $s$ is any value of the map
 :then: $s(t)>0$, $t=\frac{s(t)}{1+s(t)}$, $s\bigl(\frac s{1+s}\bigr)=s$, and $s(t')-s(t)=\frac{t'-t}{(1-t')(1-t)}>0$
 :method: Identities in the field; the signs by coefficients, with $t=\frac p{1+p}$ and $t'=\frac{p+q}{1+p+q}$, $p,q>0$.
