@@ -36,6 +36,7 @@ The claim
 :confirmed-by: curve_points_are_convex_combinations
 :needs: share_with_negative_weight_is_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
   weights are positive.
+:needs: curve_leaves_hull_outside_the_interval | (3.2.2): $0\le t\le1$ | $0\le t\le1$.
 :figure: convex_hull
 :::
 */
@@ -284,10 +285,10 @@ Beyond the interval it is the Bernstein functions that are negative.  Already a 
 :kind: counterexample
 :data: R = 0 1; ω = 1 1; t = 2
 :instead: t = 1/2
-:result: R(t) = 2
+:result: R(t) = 2; share of R_0 = -1
 :given: the segment with points $R$ of the line and weights $\omega$; a parameter $t>1$
-:then: $R(t)$ is not between $R_0$ and $R_1$
-:method: A separating number is found and checked exactly.
+:then: the share $B_0^1(t)\,\omega_0/\omega(t)$ of $R_0$ is negative, and $R(t)$ is not between $R_0$ and $R_1$
+:method: The share is computed, a separating number is found and checked exactly.
 :control: a parameter between $0$ and $1$
 :::
 */
@@ -296,11 +297,14 @@ CLAIM(curve_leaves_hull_outside_the_interval)
     num R[2], w[2], x;
     given_points(T, "R", 2, 1, R);
     given_points(T, "ω", 2, 1, w);
-    G(rational_point)(1, 1, R, w, given(T, "t"), &x);
+    num t = given(T, "t");
+    G(rational_point)(1, 1, R, w, t, &x);
+    num share = div(mul(G(bernstein_function)(1, 0, t), w[0]), G(rational_weight)(1, w, t));
     struct cagd_hull_certificate hull = hull_membership(1, 2, R, &x);
     found(T, "R(t)", x);
-    about(T, "R(t) is in the hull");
-    refute(T, !hull.inside && hull_certificate_holds(1, 2, R, &x, hull));
+    found(T, "share of R_0", share);
+    about(T, "R(t) is in the hull, or the share of R_0 is not negative");
+    refute(T, sign_q(share) < 0 && !hull.inside && hull_certificate_holds(1, 2, R, &x, hull));
 }
 #endif
 

@@ -50,7 +50,7 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
   boundary of a convex region once.  By the letter of definition 4.2.1 of the same book, the only one at hand, its
   points need only be part of the boundary.
-:argued: | Three vertices of a convex polygon, taken in order, turn left or are on one line, $D_{ijk}\ge0$; so, as $\omega(t)>0$, three points of the curve turn left
+:argued: | Three vertices of a convex polygon, taken in order, turn left or are on one line, $D_{ijk}\ge0$, and not all $D_{ijk}$ are $0$; so, as $\omega(t)>0$, three points of the curve turn left
   whenever their parameters are in order; so the curve, closed by its chord, runs through the boundary of its hull once.
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
 :meant: definition 4.2.1 of the same book, the only one at hand: the boundary of a convex set or part of it | A polygon is convex if with its chord it
@@ -144,6 +144,7 @@ polygon whose triangles all turn left has, with positive weights, a curve that a
 :::{claim} curvature_is_a_sum_over_triangles
 :title: The sign of the curvature is that of a sum over the triangles of the polygon
 :zh: 曲率符号由控制三角形有向面积之和决定
+:where: $\omega(t)\ne0$
 :given: a curve of the plane with weights $\omega_i$ and points $(x_i,y_i)$; $\Delta_{ijk}$ the determinant of
   $B_i,B_j,B_k$ and their first two derivatives
 :let: $D_{ijk}=\det\bigl((x_i,y_i,1),(x_j,y_j,1),(x_k,y_k,1)\bigr)$ for the points $(x_i,y_i)$
@@ -519,8 +520,8 @@ CLAIM(mixed_weights_lose_convexity)
   are positive
 :hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
   boundary of a convex region once: as for the property itself, which fails without it and so has no proof
-:argued: | The points of such a polygon have no triangle that turns to the other side.  Repeated, the subdivided polygons converge to the curve, and a
-  limit of convex polygons is convex.
+:argued: | The points of such a polygon have no triangle that turns to the other side.  Repeated at a fixed ratio, the subdivided polygons converge to
+  the curve (`wang-ch3:rem-3.3.1-uniform`; with ratios that change they need not), and a limit of convex polygons is convex.
 :figure: convex_halves
 
 Theorem 1.4.2 is not at hand.  What is decided is that the two polygons of the halves, joined, have no triangle that turns to the

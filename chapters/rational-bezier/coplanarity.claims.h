@@ -35,6 +35,7 @@ weights stay, and the value at the vertex takes the place of the coordinate.
 :title: The form of a plane, on the curve, has the weights of the curve
 :zh: 曲线上的平面式仍以原权因子表示
 :given: a curve of space with weights $\omega_i$ and points $(x_i,y_i,z_i)$; a plane $ax+by+cz+d=0$
+:where: $\omega(t)\ne0$
 :then: $\omega(t)\,(a\,x(t)+b\,y(t)+c\,z(t)+d)=\sum_iB_i^n(t)\omega_i(ax_i+by_i+cz_i+d)$
 :method: Both sides are one element of the field, with every number a variable.  So the form vanishes on the curve exactly where
   the sum does, $\omega(t)$ being different from $0$; any plane may take the place of $z=0$.

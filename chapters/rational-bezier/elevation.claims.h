@@ -32,7 +32,7 @@ the products $\omega_iR_i$.
 :zh: n 次有理 Bézier 曲线也是 n+1 次的
 :printed: The formula of elevation: the curve of degree $n$ with weights $\omega_i$ and vertices $\mathbf R_i$ is the curve of degree $n+1$
   with weights $\hat\omega_i$ and vertices $\hat{\mathbf R}_i$ of (3.2.7) to (3.2.9).
-:holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners
+:holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners positive_terms_make_a_convex_mean
 :confirmed-by: elevation_keeps_rational_curve
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; otherwise the new vertices need not exist, though the curve has no pole
@@ -44,10 +44,12 @@ the products $\omega_iR_i$.
 :zh: 升阶前后为同一曲线
 :printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i}{\sum_{i=0}^nB_i^n(t)\omega_i}
   =\frac{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i\hat{\mathbf R}_i}{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i}
-:holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners
+:holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners positive_terms_make_a_convex_mean
 :confirmed-by: elevation_keeps_rational_curve
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that all vertices $\hat{\mathbf R}_i$ exist
+
+The two denominators are one polynomial, so that one vanishes where the other does; with positive weights neither does for $0\le t\le1$.
 :::
 
 :::{claim} bernstein_function_in_the_next_degree
@@ -96,6 +98,7 @@ CLAIM(bernstein_function_in_the_next_degree)
 :title: Degree elevation changes the polygon, not the curve
 :zh: 升阶改变控制多边形而不改变曲线
 :given: weights $\omega_0,\dots,\omega_n$ and points $R_0,\dots,R_n$
+:where: $\hat\omega_i\ne0$; $\omega(t)\ne0$
 :let: $\hat\omega_i=(1-\frac i{n+1})\omega_i+\frac i{n+1}\omega_{i-1}$ and
   $\hat\omega_i\hat R_i=(1-\frac i{n+1})\omega_iR_i+\frac i{n+1}\omega_{i-1}R_{i-1}$, $i=0,\dots,n+1$, what has
   an index outside $0,\dots,n$ being $0$
@@ -161,8 +164,8 @@ CLAIM(elevated_vertex_may_be_at_infinity)
 :zh: 升阶后的权因子
 :printed: \hat\omega_i=\left(1-\frac i{n+1}\right)\omega_i+\frac i{n+1}\omega_{i-1},\quad i=0,1,\dots,n+1;
   \quad\omega_{-1}=\omega_{n+1}=0
-:holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter
-:confirmed-by: elevation_through_the_power_basis elevated_points_as_printed
+:holds-by: bernstein_function_in_the_next_degree
+:confirmed-by: numbers_outside_the_polygon_do_not_matter elevation_through_the_power_basis elevated_points_as_printed
 
 The agreement $\omega_{-1}=\omega_{n+1}=0$ only gives the formula a meaning at its two ends: the factor there is $0$,
 and any other numbers would do.
@@ -211,6 +214,7 @@ the end.  The printed fractions say what comes out of this for the points themse
 :title: The kernels of elevation compute the printed weights and points
 :zh: 升阶程序即所印公式
 :given: weights $\omega_0,\dots,\omega_n$ and points of the plane $R_0,\dots,R_n$
+:where: $\hat\omega_i\ne0$
 :then: the kernels give $\hat\omega_i$ and $\hat R_i$ of (3.2.8) and (3.2.9); for equal weights, the polynomial elevation,
   which is also the product with the matrix $E$, $E_{i,i-1}=\frac i{n+1}$, $E_{ii}=1-\frac i{n+1}$
 :method: The printed fractions are written out for each $i$; the kernels go through homogeneous coordinates and share no
@@ -290,7 +294,8 @@ CLAIM(elevation_through_the_power_basis)
 :::{claim} numbers_outside_the_polygon_do_not_matter
 :title: Whatever stands for the weights and points before the first and behind the last, the ends stay
 :zh: 首末之外的权与点取何值都不影响端点
-:given: any numbers $\omega_{-1},\omega_{n+1},R_{-1},R_{n+1}$
+:given: weights and points of any degree $n$, $\omega_0\ne0$ and $\omega_n\ne0$; any numbers $\omega_{-1},\omega_{n+1},R_{-1},R_{n+1}$
+:where: $\omega_0\ne0$ and $\omega_n\ne0$
 :then: $\hat\omega_0=\omega_0$, $\hat R_0=R_0$, $\hat\omega_{n+1}=\omega_n$, $\hat R_{n+1}=R_n$
 :method: Formulas (3.2.8) and (3.2.9) at $i=0$ and $i=n+1$, with $n$, the weights and the points variables.
 :degrees: all

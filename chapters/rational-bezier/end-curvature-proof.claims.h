@@ -323,6 +323,7 @@ order change their sign, and so do the edges.  That leaves a sign in $R''(1)$ on
 :title: The first three derivatives at both ends in terms of the edges
 :zh: 两端前三阶导矢用边矢表示
 :given: weights and points
+:where: $\omega_0\ne0$ at $t=0$ and $\omega_n\ne0$ at $t=1$
 :let: $f_1,g_1,g_2$ as in `end_derivative_vectors_in_every_degree`, and $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
 :then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
   $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,

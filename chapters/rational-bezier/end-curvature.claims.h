@@ -260,7 +260,7 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :confirmed-by: end_curvature_at_zero end_curvature_at_one end_torsion_at_zero end_torsion_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | the property itself: no control points coincide | $\mathbf
   a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$; that is all that the formulas of the curvature use of the hypothesis; other
-  points may coincide.
+  points may coincide.  At $t=1$ this example and those below are to be read in reversed order.
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   the weights are positive for (3.2.5); in general its right sides need $|\omega_0\omega_2|$ and $|\omega_{n-2}\omega_n|$.
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ and $\mathbf
@@ -317,7 +317,7 @@ dimension, as $\mathbf R'(0)$ and $\mathbf R''(0)$ are combinations of $\mathbf 
 :confirmed-by: end_torsion_at_zero
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$: the first three points are not on a line.
 :reading: missing_points_have_the_factor_zero | Read for $n=2$, where $\omega_3$ and $\mathbf a_3$ do not exist: whatever stands for them, the factor $n-2$
-  makes it $0$, the torsion of a plane curve.
+  makes it $0$, the torsion of a plane curve.  For $n=1$ the curve is a segment, which has no torsion.
 :figure: end_formulas_undetermined
 
 The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\omega_2$ are not $0$.
@@ -334,7 +334,9 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$: the last three points are not on a line; the example is
   to be read in reversed order.
 :reading: missing_points_have_the_factor_zero | Read for $n=2$, where $\omega_{n-3}$ and $\mathbf a_{n-2}$ do not exist: whatever stands for them, the factor
-  $n-2$ makes it $0$, the torsion of a plane curve.
+  $n-2$ makes it $0$, the torsion of a plane curve.  For $n=1$ the curve is a segment, which has no torsion.
+
+The sign of the weights does not matter here, as long as $\omega_n,\omega_{n-1},\omega_{n-2}$ are not $0$.
 :::
 */
 

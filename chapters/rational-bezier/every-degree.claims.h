@@ -122,7 +122,7 @@ CLAIM(bernstein_sum_begins_with_its_differences)
 :::{claim} change_of_parameter_acts_on_one_factor
 :title: What a change of the parameter does to a Bernstein sum, in every degree
 :zh: 参数变换对 Bernstein 和的作用(任意次数)
-:given: $D(t)=1-t+tZ$, any $Z$, $t$, $a$, $b$, $u$
+:given: $D(t)=1-t+tZ$, any $Z$, $t$, $a$, $b$, $u$ for which the fractions below exist
 :then: (1) $D(1-t)=Z\,(1-t+\frac tZ)$; (2) $D(t)=(1-t)(1+sZ)$ with $s=\frac t{1-t}$; (3) $D(t)=\frac{u+Z}{u+1}$ with
   $t=\frac1{1+u}$; (4) $D(t)=\frac{b(1-u)+auZ}{b(1-u)+au}$ with $t=\frac{au}{au+b(1-u)}$; (5) $D(t)=1$ for $Z=1$;
   (6) $D(t)=1+t(Z-1)$

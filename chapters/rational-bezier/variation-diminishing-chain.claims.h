@@ -33,6 +33,7 @@ values of the form of the line, whatever the system was.
 :title: The form of a line, on the curve, has the weights of the curve
 :zh: 曲线上的直线式仍以原权因子表示
 :given: a curve of the plane with weights $\omega_i$ and points $(x_i,y_i)$; a line $ax+by+c=0$
+:where: $\omega(t)\ne0$
 :then: $a\,x(t)+b\,y(t)+c=\sum_iB_i^n(t)\omega_i(ax_i+by_i+c)/\omega(t)$
 :method: Both sides are one element of the field, with every number a variable.
 :degrees: 1..6 sampled 12
@@ -67,7 +68,7 @@ CLAIM(line_form_of_the_curve)
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: sign_of_the_curve_is_that_of_the_numerator designed_curves_cross_no_more
 :needs: curve_changes_sides_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
-  positive
+  positive; it is enough that $\omega(t)$ has no zero in $(0,1)$
 :meant: the last clause of the property | Crossings.
 :reading: end_on_the_line_is_no_interior_root | intersections taken as common points with the ends included, against the last
   clause of the property
@@ -191,7 +192,7 @@ CLAIM(end_on_the_line_is_no_interior_root)
 :title: A power of 1-t is taken out
 :zh: 提出因子 (1-t)^n
 :printed: \sum_{i=0}^nB_i^n(t)\omega_iy_i=(1-t)^n\sum_{i=0}^n\binom ni\left(\frac t{1-t}\right)^i\omega_iy_i,\quad 0<t<1
-:holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+:holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power ratio_is_an_increasing_bijection
 :confirmed-by: numerator_in_powers_of_the_ratio
 
 The range is that in which the chain counts the roots of both sides.
@@ -244,11 +245,11 @@ no root is lost and none counted twice.
 :title: s = t/(1-t) runs once through the positive numbers
 :zh: s=t/(1-t) 是 (0,1) 到正数的递增双射
 :given: $0<t<1$; a second parameter $t'>t$ of $(0,1)$; $s>0$
-:harmless: $0<t<1$;  | the open interval is what is mapped
 :harmless: $t'>t$ of $(0,1)$; $s>0$ | any two parameters in order; $s$ is any value of the map
 :then: $s(t)>0$, $t=\frac{s(t)}{1+s(t)}$, $s\bigl(\frac s{1+s}\bigr)=s$, and $s(t')-s(t)=\frac{t'-t}{(1-t')(1-t)}>0$
 :method: Identities in the field; the signs by coefficients, with $t=\frac p{1+p}$ and $t'=\frac{p+q}{1+p+q}$, $p,q>0$.
 :degrees: all
+:scope: 0 < t < 1
 :over: p q s: -
 :control: $(1-t)^2$ taken for $(1-t')(1-t)$
 :::
@@ -323,12 +324,14 @@ CLAIM(root_counts_survive_the_substitution)
 :class: misprint
 :refuted-by: roots_must_be_counted_up_to_one
 :corrected: Z_{0<t<1}[\,\cdot\,]
-:corrected-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
+:corrected-by: positive_terms_make_a_convex_mean mean_grows_by_one_term ratio_is_an_increasing_bijection
+  change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: designed_curves_cross_no_more root_counts_survive_the_substitution
 :figure: roots_and_the_substitution
 
 The symbol defined just before is $Z$, without a place for the interval; in the chain a sign of summation stands for it, three
-times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  With an $l<1$ the first step can be false.
+times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  With an $l<1$ the first step can be false, and with it the
+substitution $s=\frac t{1-t}$, where the other $l$ stands: in the example the root with $s=2$ is lost.
 :::
 
 What the letter would mean, if it were one, is seen at a line that the curve crosses late.

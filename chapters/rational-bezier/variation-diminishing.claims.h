@@ -26,14 +26,15 @@ without Descartes, is tried on patterns of signs.
 :needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are positive
 :meant: its last clause: the number is how often $L$ is crossed | Crossings, counted along the curve and along the
   polygon, also when edges, ends or the whole curve are on the line.
-:reading: designed_curves_meet_no_more | common points, ends and tangents included and counted along the curve, if the
-  curve is not contained in the line
+:reading: designed_curves_meet_no_more | common points, ends and tangents included and counted along the curve, on the polygon
+  its points and runs of edges on the line, if the curve is not contained in the line
 :reading: self_crossing_polygon_meets_the_line_once | common points, each point of the plane counted once however often
   curve or polygon run through it
 :figure: line_crossings
 
 The chain of the source proves it, for every degree: a crossing is a root of the numerator, which is a polynomial in $s=\frac t{1-t}$ times a positive function, the positive
-roots of which are no more than its changes of sign, and these are the crossings of the polygon.
+roots of which are no more than its changes of sign, and these are the crossings of the polygon.  Where this polynomial is $0$, all $y_i$ are: curve and
+polygon are inside the line, and neither crosses it.
 :::
 
 :::{statement} wang-ch3:prop-3.2.7-crossings
