@@ -150,12 +150,27 @@ void complain_in(struct document *d, const char *path, const char *text, int siz
     va_end(list);
 }
 
+/* In a LaTeX source comments take the place of blocks. */
+static const char *in_words_of_paper(const struct document *d, const cagd_reading_error *e, const char *message)
+{
+    static const char begin[] = "; a line '", end[] = "' in a let block makes it a variable";
+    const char *line = strstr(message, begin), *stop = line != NULL ? strstr(line, end) : NULL;
+    char text[MESSAGE];
+    if (chunk_at(d, e->from) == NULL || stop == NULL)
+        return message;
+    int n =
+        snprintf(text, sizeof text,
+                 "%.*s; '%% cagd: let %.*s' makes it a variable, '%% cagd: definition' says that a formula defines it",
+                 (int)(line - message), message, (int)(stop - line - (int)strlen(begin)), line + strlen(begin));
+    return n < MESSAGE ? cagd_text_of(text, n) : message;
+}
+
 /* What was not read; a command whose expansion does not end is no name that is not known. */
 static const char *message_of(const struct document *d, const cagd_reading_error *e)
 {
     const struct chunk *c = chunk_at(d, e->from);
     const char *better = c != NULL ? trouble_of_command(d, c->source, source_of(c, e->from)) : NULL;
-    return better != NULL ? better : cagd_text_of(e->message, (int)strlen(e->message));
+    return better != NULL ? better : in_words_of_paper(d, e, cagd_text_of(e->message, (int)strlen(e->message)));
 }
 
 static void complain_of_reading(struct document *d, const cagd_reading_error *e)
