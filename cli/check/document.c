@@ -617,7 +617,8 @@ static void read_functions(struct document *d, struct sheet *s, int from, int to
         return;
     }
     const cagd_tree *index = t->kind == CAGD_NAME ? running_index(&s->scope, t) : NULL;
-    const cagd_tree *argument = t->kind == CAGD_NAME && t->arguments > 0 ? t->at[t->lower + t->upper] : NULL;
+    const int place = t->kind == CAGD_NAME && t->arguments > 0 ? cagd_basis_argument(t, s->find) : -1;
+    const cagd_tree *argument = place >= 0 ? t->at[place] : NULL;
     if (index == NULL || argument == NULL || index->kind != CAGD_NAME || argument->kind != CAGD_NAME || t->order > 0) {
         complain(
             d, from, to,
