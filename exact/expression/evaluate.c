@@ -512,10 +512,25 @@ static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *l
     return F;
 }
 
+/* d^k a / dw_j^k for a name with an index. */
+static cagd_value derivative_by_name(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    char key[96];
+    long order = order_of(c, t, t->at[1], f);
+    cagd_value at = name(c, t->at[2], f);
+    cagd_tree *by = cagd_tree_new(CAGD_DERIVATIVE, t->from, t->to, 2);
+    if (by == NULL || region_faults != 0 || !cagd_key_of(c, t->at[2], f, key, sizeof key))
+        return at;
+    by->head = cagd_text_of(key, (int)strlen(key)), by->at[0] = t->at[0], by->at[1] = t->at[1];
+    return by->head != NULL ? derivative_at(c, by, t->at[0], NULL, order, at, f) : at;
+}
+
 /* d^k a / dx^k for a letter x that has a value here. */
 static cagd_value derivative(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     cagd_tree letter = {.kind = CAGD_NAME, .head = t->head, .from = t->from, .to = t->to};
+    if (t->count > 2)
+        return derivative_by_name(c, t, f);
     long order = order_of(c, t, t->at[1], f);
     if (region_faults == 0 && cagd_is_angle_in(c, t->at[0], t->head)) {
         struct cagd_angle here = {&letter, f, cagd_value_int(0)};
