@@ -285,10 +285,33 @@ static void read_use(struct document *d, int from, int to)
     }
 }
 
+/* Whether every line of the block can be read in its order, as far as that is asked of lines by themselves: not of :use: and :from:. */
+static int is_in_order(const struct document *d, int at, int stop)
+{
+    cagd_scope scope = d->scope;
+    cagd_reading_error error;
+    for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
+        int from = at, to = end;
+        strip(d, &from, &to);
+        if (d->text[at] == ':' || !cagd_read_definition(&scope, d->text, from, to, &error))
+            return d->text[at] == ':';
+    }
+    return 1;
+}
+
+/* In papers the bounds of a parameter stand behind the formulas: where a line has a name that a line behind it declares, such lines are read
+ * first. */
 static void read_let(struct document *d, int at, int stop)
 {
+    cagd_reading_error error;
+    int first = !is_in_order(d, at, stop), begin = at;
+    for (int end; first && next_entry(d, &at, stop, &end); at = behind(d, end)) {
+        int from = at, to = end;
+        strip(d, &from, &to);
+        cagd_read_declaration(&d->scope, d->text, from, to);
+    }
+    at = begin;
     for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
-        cagd_reading_error error;
         int from = at, to = end, a, b;
         strip(d, &from, &to);
         if (field(d, at, end, "use", &a, &b)) {

@@ -64,7 +64,7 @@ const char *value_text(const cagd_given *g) { return g->root != NULL ? digits_of
 
 static const char *source(const struct document *d, const cagd_tree *t)
 {
-    if (t != NULL && t->kind == CAGD_NUMBER && d->text[t->from] == 'N') /* where \mathbb{N} begins */
+    if (t != NULL && t->kind == CAGD_NUMBER && (d->text[t->from] == 'N' || d->text[t->from] == 'Z')) /* of \mathbb{N} */
         return to_string_q(t->number);
     const char *text = t != NULL ? cagd_text_of(d->text + t->from, t->to - t->from) : NULL;
     return text != NULL ? text : "";
@@ -99,6 +99,13 @@ static int is_given_here(const struct document *d, const cagd_definition *value)
     return 1;
 }
 
+/* Whether the name, one of many, has bounds of its own. */
+static int is_bounded_alone(const cagd_scope *scope, const char *key)
+{
+    const cagd_variable *v = cagd_declared(scope, key);
+    return v != NULL && v->lower == 0;
+}
+
 const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     const cagd_variable *whole[16];
@@ -123,18 +130,23 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
             v = v->next;
         int named = 0;
         for (int k = 0; k < f->names; k++)
-            named |= is_of(f->name[k], v->head);
+            named |= is_of(f->name[k], v->head) && (v->lower == 0 || !is_bounded_alone(&s->scope, f->name[k]));
         if (!named || cagd_declared(&s->scope, v->head) != v)
             continue;
+        const char *letter = v->lower == 0 ? "" : "i";
+        if (v->lower == 1 && v->left != NULL && v->left->at[0]->kind == CAGD_NAME &&
+            ((v->low != NULL && cagd_tree_has(v->low, v->left->at[0]->head)) ||
+             (v->high != NULL && cagd_tree_has(v->high, v->left->at[0]->head))))
+            letter = v->left->at[0]->head;
         int bounded = f->bounded && (v->low != NULL || v->high != NULL);
         if (!bounded)
-            text = append(text, "%sall $%s%s$", comma, v->head, v->lower > 0 ? "i" : "");
+            text = append(text, "%sall $%s%s$", comma, v->head, letter);
         else
             text = append(text, "%s$%s%s%s%s%s%s$", comma, source(d, v->low),
                           v->low == NULL ? ""
                           : v->low_open  ? " < "
                                          : " \\le ",
-                          v->head, v->lower > 0 ? "i" : "",
+                          v->head, letter,
                           v->high == NULL ? ""
                           : v->high_open  ? " < "
                                           : " \\le ",
@@ -157,9 +169,13 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         text = append(text, "%s$%s$", comma, source(d, s->scope.conditions[k]));
         comma = ", ";
     }
-    for (int k = 0; f->supposed != NULL && k < (f->supposed->kind == CAGD_ALL ? f->supposed->count : 1); k++) {
-        text =
-            append(text, "%s$%s$", comma, source(d, f->supposed->kind == CAGD_ALL ? f->supposed->at[k] : f->supposed));
+    const cagd_tree *one, *last = NULL;
+    for (int k = 0; f->supposed != NULL && k < (f->supposed->kind == CAGD_ALL ? f->supposed->count : 1);
+         k++, last = one) {
+        one = f->supposed->kind == CAGD_ALL ? f->supposed->at[k] : f->supposed;
+        if (last != NULL && last->from == one->from && last->to == one->to) /* 0 \le u, v \le 1 */
+            continue;
+        text = append(text, "%s$%s$", comma, source(d, one));
         comma = ", ";
     }
     if (f->leaves_out_poles)

@@ -859,7 +859,7 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0, from = r->token->from, more;
     do {
-        const cagd_tree *t = cagd_read_condition(r);
+        const cagd_tree *t = cagd_share_bounds(r) ? cagd_read_condition(r) : NULL;
         if (t == NULL)
             return NULL;
         if (count + t->count > CAGD_MOST_CHILDREN)

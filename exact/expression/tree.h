@@ -96,6 +96,9 @@ cagd_tree *cagd_tree_number(long value, int from, int to);
 int cagd_tree_has(const cagd_tree *t, const char *head);
 int cagd_tree_equal(const cagd_tree *a, const cagd_tree *b);
 
+/* The tree with another one in the place of that letter; NULL for NULL. */
+const cagd_tree *cagd_tree_with(const cagd_tree *t, const char *letter, const cagd_tree *other);
+
 /* On the left of a definition: the child before the k-th one that is the same letter, b_{n,n}; -1 where there is none. */
 int cagd_same_index(const cagd_tree *left, int k);
 #endif
