@@ -106,6 +106,12 @@ static int is_bounded_alone(const cagd_scope *scope, const char *key)
     return v != NULL && v->lower == 0;
 }
 
+/* Whether it is read from a piece of what the one before was: 0 \le u, v \le 1. */
+static int is_part_of(const cagd_tree *t, const cagd_tree *before)
+{
+    return before != NULL && before->from <= t->from && t->to == before->to;
+}
+
 const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     const cagd_variable *whole[16];
@@ -164,7 +170,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         if (is_given_here(d, value) && cagd_depends_on(&s->scope, s->tree, value->left->head))
             text = append(text, "%s$%s = %s$", comma, source(d, value->left), source(d, value->body)), comma = ", ";
     for (int k = 0; k < s->scope.condition_count; k++) {
-        if (!is_about_names(f, s->scope.conditions[k]))
+        if (!is_about_names(f, s->scope.conditions[k]) ||
+            is_part_of(s->scope.conditions[k], k > 0 ? s->scope.conditions[k - 1] : NULL))
             continue;
         text = append(text, "%s$%s$", comma, source(d, s->scope.conditions[k]));
         comma = ", ";
@@ -173,7 +180,7 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
     for (int k = 0; f->supposed != NULL && k < (f->supposed->kind == CAGD_ALL ? f->supposed->count : 1);
          k++, last = one) {
         one = f->supposed->kind == CAGD_ALL ? f->supposed->at[k] : f->supposed;
-        if (last != NULL && last->from == one->from && last->to == one->to) /* 0 \le u, v \le 1 */
+        if (is_part_of(one, last))
             continue;
         text = append(text, "%s$%s$", comma, source(d, one));
         comma = ", ";

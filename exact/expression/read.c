@@ -507,7 +507,8 @@ static const cagd_tree *word(cagd_reader *r)
     }
     if (strcmp(w, "\\sin") == 0 || strcmp(w, "\\cos") == 0)
         return r->token++, circular(r, w[1] == 's' ? CAGD_SINE : CAGD_COSINE, from);
-    static const char *const others[] = {"\\tan", "\\exp", "\\log", "\\ln", NULL};
+    static const char *const others[] = {"\\tan",  "\\cot",  "\\sec",  "\\csc",    "\\exp",    "\\log",    "\\ln",
+                                         "\\sinh", "\\cosh", "\\tanh", "\\arcsin", "\\arccos", "\\arctan", NULL};
     if (is_one_of(w, others))
         return cagd_refuse_token(r, "%s is no rational function: name its value, and say what relation it has", w);
     if (strcmp(w, "\\dots") == 0)
