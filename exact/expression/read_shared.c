@@ -130,6 +130,9 @@ int cagd_share_bounds(cagd_reader *r)
     high = (struct part){behind + 1, behind_value(r, behind + 1)};
     if (high.from == high.to || is_order(r, high.to))
         return 1;
+    for (int k = 1; before != NULL && k < count; k++) /* a whole number and another one have no bounds together */
+        if (is_number(r, name[k]) != is_number(r, name[0]))
+            return 1;
     if (before != NULL && !(is_number(r, low) && is_number(r, high))) { /* one of the relations can be another one */
         int same = 0, is_low = is_number(r, low), is_high = is_number(r, high);
         struct part a = name_at(r, low.from, &first), b = name_at(r, high.from, &last);
