@@ -150,12 +150,27 @@ void complain_in(struct document *d, const char *path, const char *text, int siz
     va_end(list);
 }
 
+/* In a LaTeX source comments take the place of blocks. */
+static const char *in_words_of_paper(const struct document *d, const cagd_reading_error *e, const char *message)
+{
+    static const char begin[] = "; a line '", end[] = "' in a let block makes it a variable";
+    const char *line = strstr(message, begin), *stop = line != NULL ? strstr(line, end) : NULL;
+    char text[MESSAGE];
+    if (chunk_at(d, e->from) == NULL || stop == NULL)
+        return message;
+    int n =
+        snprintf(text, sizeof text,
+                 "%.*s; '%% cagd: let %.*s' makes it a variable, '%% cagd: definition' says that a formula defines it",
+                 (int)(line - message), message, (int)(stop - line - (int)strlen(begin)), line + strlen(begin));
+    return n < MESSAGE ? cagd_text_of(text, n) : message;
+}
+
 /* What was not read; a command whose expansion does not end is no name that is not known. */
 static const char *message_of(const struct document *d, const cagd_reading_error *e)
 {
     const struct chunk *c = chunk_at(d, e->from);
     const char *better = c != NULL ? trouble_of_command(d, c->source, source_of(c, e->from)) : NULL;
-    return better != NULL ? better : cagd_text_of(e->message, (int)strlen(e->message));
+    return better != NULL ? better : in_words_of_paper(d, e, cagd_text_of(e->message, (int)strlen(e->message)));
 }
 
 static void complain_of_reading(struct document *d, const cagd_reading_error *e)
@@ -270,10 +285,33 @@ static void read_use(struct document *d, int from, int to)
     }
 }
 
+/* Whether every line of the block can be read in its order, as far as that is asked of lines by themselves: not of :use: and :from:. */
+static int is_in_order(const struct document *d, int at, int stop)
+{
+    cagd_scope scope = d->scope;
+    cagd_reading_error error;
+    for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
+        int from = at, to = end;
+        strip(d, &from, &to);
+        if (d->text[at] == ':' || !cagd_read_definition(&scope, d->text, from, to, &error))
+            return d->text[at] == ':';
+    }
+    return 1;
+}
+
+/* In papers the bounds of a parameter stand behind the formulas: where a line has a name that a line behind it declares, such lines are read
+ * first. */
 static void read_let(struct document *d, int at, int stop)
 {
+    cagd_reading_error error;
+    int first = !is_in_order(d, at, stop), begin = at;
+    for (int end; first && next_entry(d, &at, stop, &end); at = behind(d, end)) {
+        int from = at, to = end;
+        strip(d, &from, &to);
+        cagd_read_declaration(&d->scope, d->text, from, to);
+    }
+    at = begin;
     for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
-        cagd_reading_error error;
         int from = at, to = end, a, b;
         strip(d, &from, &to);
         if (field(d, at, end, "use", &a, &b)) {
@@ -602,7 +640,8 @@ static void read_functions(struct document *d, struct sheet *s, int from, int to
         return;
     }
     const cagd_tree *index = t->kind == CAGD_NAME ? running_index(&s->scope, t) : NULL;
-    const cagd_tree *argument = t->kind == CAGD_NAME && t->arguments > 0 ? t->at[t->lower + t->upper] : NULL;
+    const int place = t->kind == CAGD_NAME && t->arguments > 0 ? cagd_basis_argument(t, s->find) : -1;
+    const cagd_tree *argument = place >= 0 ? t->at[place] : NULL;
     if (index == NULL || argument == NULL || index->kind != CAGD_NAME || argument->kind != CAGD_NAME || t->order > 0) {
         complain(
             d, from, to,

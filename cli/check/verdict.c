@@ -83,7 +83,7 @@ const char *value_text(const cagd_given *g) { return g->root != NULL ? digits_of
 
 static const char *source(const struct document *d, const cagd_tree *t)
 {
-    if (t != NULL && t->kind == CAGD_NUMBER && d->text[t->from] == 'N') /* where \mathbb{N} begins */
+    if (t != NULL && t->kind == CAGD_NUMBER && (d->text[t->from] == 'N' || d->text[t->from] == 'Z')) /* of \mathbb{N} */
         return to_string_q(t->number);
     const char *text = t != NULL ? cagd_text_of(d->text + t->from, t->to - t->from) : NULL;
     return text != NULL ? text : "";
@@ -118,6 +118,19 @@ static int is_given_here(const struct document *d, const cagd_definition *value)
     return 1;
 }
 
+/* Whether the name, one of many, has bounds of its own. */
+static int is_bounded_alone(const cagd_scope *scope, const char *key)
+{
+    const cagd_variable *v = cagd_declared(scope, key);
+    return v != NULL && v->lower == 0;
+}
+
+/* Whether it is read from a piece of what the one before was: 0 \le u, v \le 1. */
+static int is_part_of(const cagd_tree *t, const cagd_tree *before)
+{
+    return before != NULL && before->from <= t->from && t->to == before->to;
+}
+
 const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     const cagd_variable *whole[16];
@@ -142,18 +155,23 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
             v = v->next;
         int named = 0;
         for (int k = 0; k < f->names; k++)
-            named |= is_of(f->name[k], v->head);
+            named |= is_of(f->name[k], v->head) && (v->lower == 0 || !is_bounded_alone(&s->scope, f->name[k]));
         if (!named || cagd_declared(&s->scope, v->head) != v)
             continue;
+        const char *letter = v->lower == 0 ? "" : "i";
+        if (v->lower == 1 && v->left != NULL && v->left->at[0]->kind == CAGD_NAME &&
+            ((v->low != NULL && cagd_tree_has(v->low, v->left->at[0]->head)) ||
+             (v->high != NULL && cagd_tree_has(v->high, v->left->at[0]->head))))
+            letter = v->left->at[0]->head;
         int bounded = f->bounded && (v->low != NULL || v->high != NULL);
         if (!bounded)
-            text = append(text, "%sall $%s%s$", comma, v->head, v->lower > 0 ? "i" : "");
+            text = append(text, "%sall $%s%s$", comma, v->head, letter);
         else
             text = append(text, "%s$%s%s%s%s%s%s$", comma, source(d, v->low),
                           v->low == NULL ? ""
                           : v->low_open  ? " < "
                                          : " \\le ",
-                          v->head, v->lower > 0 ? "i" : "",
+                          v->head, letter,
                           v->high == NULL ? ""
                           : v->high_open  ? " < "
                                           : " \\le ",
@@ -171,14 +189,19 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         if (is_given_here(d, value) && cagd_depends_on(&s->scope, s->tree, value->left->head))
             text = append(text, "%s$%s = %s$", comma, source(d, value->left), source(d, value->body)), comma = ", ";
     for (int k = 0; k < s->scope.condition_count; k++) {
-        if (!is_about_names(f, s->scope.conditions[k]))
+        if (!is_about_names(f, s->scope.conditions[k]) ||
+            is_part_of(s->scope.conditions[k], k > 0 ? s->scope.conditions[k - 1] : NULL))
             continue;
         text = append(text, "%s$%s$", comma, source(d, s->scope.conditions[k]));
         comma = ", ";
     }
-    for (int k = 0; f->supposed != NULL && k < (f->supposed->kind == CAGD_ALL ? f->supposed->count : 1); k++) {
-        text =
-            append(text, "%s$%s$", comma, source(d, f->supposed->kind == CAGD_ALL ? f->supposed->at[k] : f->supposed));
+    const cagd_tree *one, *last = NULL;
+    for (int k = 0; f->supposed != NULL && k < (f->supposed->kind == CAGD_ALL ? f->supposed->count : 1);
+         k++, last = one) {
+        one = f->supposed->kind == CAGD_ALL ? f->supposed->at[k] : f->supposed;
+        if (is_part_of(one, last))
+            continue;
+        text = append(text, "%s$%s$", comma, source(d, one));
         comma = ", ";
     }
     if (f->leaves_out_poles)

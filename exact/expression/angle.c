@@ -36,6 +36,12 @@ static struct turn several(struct turn a, long times)
     return sum;
 }
 
+/* So many times an angle; or, of what is a number, so many times \pi times it: t is 2/\pi of the angle \pi t/2. */
+struct amount {
+    num_q times;
+    int of_pi;
+};
+
 static int is_pi(const cagd_scope *scope, const cagd_tree *t)
 {
     return t->kind == CAGD_NAME && t->count == 0 && strcmp(t->head, "\\pi") == 0 &&
@@ -183,14 +189,45 @@ static struct turn turned_by_quarters(struct turn a, int quarters)
     return turned(several(quarter, quarters), a);
 }
 
-/* 2 phi for the angle of that name, declared by v. */
-static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *key, const cagd_variable *v)
+/* The bound of a number, times \pi; where it is no number, the bound itself, which is no multiple of \pi then. */
+static const cagd_tree *times_pi(cagd_context *c, const cagd_tree *bound)
 {
-    char tangent[140], cosine[140];
+    cagd_value v = bound != NULL ? cagd_evaluate(c, bound) : cagd_value_int(0);
+    if (bound == NULL || region_faults != 0 || !v.rational)
+        return bound;
+    cagd_tree *number = cagd_tree_number(0, bound->from, bound->to),
+              *pi = cagd_tree_new(CAGD_NAME, bound->from, bound->to, 0),
+              *t = cagd_tree_new(CAGD_PRODUCT, bound->from, bound->to, 2);
+    if (number == NULL || pi == NULL || t == NULL)
+        return bound;
+    number->number = v.q, pi->head = "\\pi";
+    t->at[0] = number, t->at[1] = pi;
+    return t;
+}
+
+/* Whether the name is an angle elsewhere, and \pi times it here; or the other way. */
+static int is_other_angle(const cagd_context *c, const char *key, int of_pi)
+{
+    for (int k = 0; k < c->count; k++)
+        if (c->binding[k].angle != NULL && strcmp(c->binding[k].angle, key) == 0 && c->binding[k].of_pi != of_pi)
+            return 1;
+    return 0;
+}
+
+/* 2 phi for the angle of that name, or \pi times it, declared by v. */
+static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *name, int of_pi, const cagd_variable *v)
+{
+    char key[104], tangent[140], cosine[140];
     int has_apart;
-    if (cagd_binding_of(c, key) != NULL) {
+    if (cagd_binding_of(c, name) != NULL || is_other_angle(c, name, of_pi)) {
         cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
         return *none();
+    }
+    snprintf(key, sizeof key, "%s%s", of_pi ? "\\pi " : "", name);
+    cagd_variable turned = *v;
+    if (of_pi) {
+        turned.low = times_pi(c, v->low), turned.high = times_pi(c, v->high);
+        v = &turned;
     }
     cagd_way_around w = cagd_way_of_angle(c, v);
     if (!key_of_turned(c, key, w.quarters, tangent, sizeof tangent) ||
@@ -202,7 +239,7 @@ static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *ke
     cagd_value x = cagd_value_of_key(c, tangent, NULL);
     cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, tangent) : NULL;
     if (b != NULL && b->angle == NULL) {
-        b->angle = cagd_text_of(key, (int)strlen(key)), b->turned = w.quarters;
+        b->angle = cagd_text_of(name, (int)strlen(name)), b->turned = w.quarters, b->of_pi = of_pi;
         if (!cagd_bound_angle(c, v, b, &w, &has_apart))
             cagd_fail(c, t, FAULT_UNABLE, "bounds of an angle that are no multiples of \\pi/12");
         else if (has_apart)
@@ -213,7 +250,7 @@ static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *ke
 
 /* ---- sums of angles ------------------------------------------------------------------------------------ */
 
-static void add_angle(cagd_context *c, const cagd_tree *t, num_q times, const cagd_frame *f, struct turn *sum);
+static void add_angle(cagd_context *c, const cagd_tree *t, struct amount much, const cagd_frame *f, struct turn *sum);
 
 /* What the letter stands for, if it is an angle. */
 static const struct cagd_angle *angle_of_letter(cagd_context *c, const cagd_tree *t, const cagd_frame *f,
@@ -241,38 +278,42 @@ static void add_multiple(cagd_context *c, const cagd_tree *t, num_q times, struc
 }
 
 /* What stands for the letter t.  In it the letter is what it was outside, a name of the page for instance. */
-static void add_argument(cagd_context *c, const cagd_tree *t, num_q times, const struct cagd_angle *a, struct turn *sum)
+static void add_argument(cagd_context *c, const cagd_tree *t, struct amount much, const struct cagd_angle *a,
+                         struct turn *sum)
 {
     const cagd_binding *b = cagd_binding_of(c, t->head);
     int own = b != NULL && b->value.angle == a ? (int)(b - c->binding) : -1;
     const char *key = own >= 0 ? b->key : NULL;
     if (own >= 0)
         c->binding[own].key = "";
-    add_angle(c, a->tree, times, a->frame, sum);
+    add_angle(c, a->tree, much, a->frame, sum);
     if (own >= 0)
         c->binding[own].key = key;
-    if (!a->tangent.rational)
-        add_multiple(c, t, times, of_tangent(a->tangent), sum);
+    if (!a->tangent.rational && much.of_pi)
+        cagd_fail(c, t, FAULT_UNABLE,
+                  "a derivative by what is a number, with \\pi in an angle: it has \\pi as a factor");
+    else if (!a->tangent.rational)
+        add_multiple(c, t, much.times, of_tangent(a->tangent), sum);
 }
 
-static void add_named(cagd_context *c, const cagd_tree *t, num_q times, const cagd_frame *f, struct turn *sum)
+static void add_named(cagd_context *c, const cagd_tree *t, struct amount much, const cagd_frame *f, struct turn *sum)
 {
     char key[96];
     int is_letter;
     const struct cagd_angle *a = angle_of_letter(c, t, f, &is_letter);
     const cagd_variable *v = cagd_declared(c->scope, t->head);
     if (a != NULL)
-        add_argument(c, t, times, a, sum);
-    else if (!is_letter && is_pi(c->scope, t))
-        *sum = turned(*sum, turned_by_pi(c, t, times));
+        add_argument(c, t, much, a, sum);
+    else if (!is_letter && !much.of_pi && is_pi(c->scope, t))
+        *sum = turned(*sum, turned_by_pi(c, t, much.times));
     else if (is_letter || v == NULL)
         refuse(c, t);
     else if (cagd_key_of(c, t, f, key, sizeof key))
-        add_multiple(c, t, times, twice_phi(c, t, key, v), sum);
+        add_multiple(c, t, much.times, twice_phi(c, t, key, much.of_pi, v), sum);
 }
 
 /* A name without arguments that is defined: what it is defined to be. */
-static void add_defined(cagd_context *c, const cagd_tree *t, num_q times, const cagd_frame *f, struct turn *sum)
+static void add_defined(cagd_context *c, const cagd_tree *t, struct amount much, const cagd_frame *f, struct turn *sum)
 {
     const cagd_definition *d = cagd_defined(c->scope, t->head);
     cagd_value value[CAGD_MOST_CHILDREN];
@@ -288,43 +329,57 @@ static void add_defined(cagd_context *c, const cagd_tree *t, num_q times, const 
         refuse(c, t);
     c->depth++;
     if (region_faults == 0)
-        add_angle(c, body, times, inner, sum);
+        add_angle(c, body, much, inner, sum);
     c->depth--;
 }
 
+/* The factor but the last times \pi, and the last: \pi t/2.  A last factor \pi is an angle by itself. */
+static void add_product(cagd_context *c, const cagd_tree *t, struct amount much, const cagd_frame *f, struct turn *sum)
+{
+    num_q of_pi;
+    for (int k = 0; k + 1 < t->count && region_faults == 0; k++) {
+        if (!much.of_pi && cagd_multiple_of_pi(c->scope, t->at[k], &of_pi) && cagd_sign_q(of_pi) != 0) {
+            much.times = mul_q(much.times, of_pi), much.of_pi = 1;
+            continue;
+        }
+        cagd_value factor = cagd_evaluate_in(c, t->at[k], f);
+        if (region_faults == 0 && factor.rational)
+            much.times = mul_q(much.times, factor.q);
+        else
+            refuse(c, t);
+    }
+    add_angle(c, t->at[t->count - 1], much, f, sum);
+}
+
 /* The angle t, so many times, is added to *sum. */
-static void add_angle(cagd_context *c, const cagd_tree *t, num_q times, const cagd_frame *f, struct turn *sum)
+static void add_angle(cagd_context *c, const cagd_tree *t, struct amount much, const cagd_frame *f, struct turn *sum)
 {
     int is_letter = 0;
     if (region_faults != 0)
         return;
     if (t->kind == CAGD_SUM) {
         for (int k = 0; k < t->count; k++)
-            add_angle(c, t->at[k], times, f, sum);
+            add_angle(c, t->at[k], much, f, sum);
     } else if (t->kind == CAGD_NEGATIVE) {
-        add_angle(c, t->at[0], neg_q(times), f, sum);
-    } else if (t->kind == CAGD_NUMBER && cagd_is_zero_q(t->number)) {
-        return;
+        much.times = neg_q(much.times);
+        add_angle(c, t->at[0], much, f, sum);
+    } else if (t->kind == CAGD_NUMBER && (much.of_pi || cagd_is_zero_q(t->number))) {
+        *sum = turned(*sum, turned_by_pi(c, t, mul_q(much.times, t->number)));
     } else if (t->kind == CAGD_QUOTIENT) {
         cagd_value divisor = cagd_evaluate_in(c, t->at[1], f);
-        if (region_faults == 0 && (!divisor.rational || cagd_sign_q(divisor.q) == 0))
+        if (region_faults == 0 && (!divisor.rational || cagd_sign_q(divisor.q) == 0)) {
             refuse(c, t);
-        else if (region_faults == 0)
-            add_angle(c, t->at[0], div_q(times, divisor.q), f, sum);
-    } else if (t->kind == CAGD_PRODUCT && t->count > 0) { /* 2 j \pi */
-        for (int k = 0; k + 1 < t->count && region_faults == 0; k++) {
-            cagd_value factor = cagd_evaluate_in(c, t->at[k], f);
-            if (region_faults == 0 && factor.rational)
-                times = mul_q(times, factor.q);
-            else
-                refuse(c, t);
+        } else if (region_faults == 0) {
+            much.times = div_q(much.times, divisor.q);
+            add_angle(c, t->at[0], much, f, sum);
         }
-        add_angle(c, t->at[t->count - 1], times, f, sum);
+    } else if (t->kind == CAGD_PRODUCT && t->count > 0) { /* 2 j \pi */
+        add_product(c, t, much, f, sum);
     } else if (t->kind == CAGD_NAME &&
                (angle_of_letter(c, t, f, &is_letter) != NULL || is_letter || cagd_defined(c->scope, t->head) == NULL)) {
-        add_named(c, t, times, f, sum);
+        add_named(c, t, much, f, sum);
     } else if (t->kind == CAGD_NAME) {
-        add_defined(c, t, times, f, sum);
+        add_defined(c, t, much, f, sum);
     } else {
         refuse(c, t);
     }
@@ -333,7 +388,7 @@ static void add_angle(cagd_context *c, const cagd_tree *t, num_q times, const ca
 cagd_value cagd_circular(cagd_context *c, const cagd_tree *t, const cagd_frame *f)
 {
     struct turn sum = *none();
-    add_angle(c, t->at[0], from_int_q(1), f, &sum);
+    add_angle(c, t->at[0], (struct amount){from_int_q(1), 0}, f, &sum);
     return t->kind == CAGD_COSINE ? sum.cosine : sum.sine;
 }
 
@@ -350,7 +405,8 @@ static int has_quotient(const cagd_scope *scope, const cagd_tree *t)
     if (t->kind == CAGD_QUOTIENT || (t->kind == CAGD_NUMBER && !cagd_is_whole_q(t->number)))
         return 1;
     for (int k = 0; k < t->count; k++)
-        if (has_quotient(scope, t->at[k]))
+        if (has_quotient(scope, t->at[k]) || (cagd_multiple_of_pi(scope, t->at[k], &times) && !cagd_is_whole_q(times) &&
+                                              t->kind == CAGD_PRODUCT)) /* \frac{\pi}{2} t */
             return 1;
     return 0;
 }

@@ -112,12 +112,19 @@ static int name_ends(const cagd_scope *scope, const char *argument, cagd_basis *
     return 1;
 }
 
+int cagd_basis_argument(const cagd_tree *function, const char *parameter)
+{
+    for (int k = function->lower + function->upper; k < function->count; k++)
+        if (parameter == NULL || function->at[k]->kind != CAGD_NAME || strcmp(function->at[k]->head, parameter) != 0)
+            return k;
+    return function->lower + function->upper;
+}
+
 /* The variable of the argument is the tangent of a half, or of a quarter where that reaches an end. */
-static int is_angle(cagd_context *c, const cagd_tree *function)
+static int is_angle(cagd_context *c, const cagd_tree *function, int k)
 {
     const cagd_definition *d = cagd_defined(c->scope, function->head);
     num_q end[2];
-    int k = function->lower + function->upper;
     if (d == NULL || !cagd_is_angle_argument(c, d, k))
         return 0;
     const cagd_variable *v = cagd_declared(c->scope, function->at[k]->head);
@@ -139,9 +146,10 @@ static const char *read_basis(const cagd_scope *scope, const cagd_tree *function
     *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS};
     *out = (cagd_basis){.count = (int)(last - first + 1), .has_parameter = parameter != NULL};
     field_open(FIELD_ROOM);
-    const char *argument = function->at[function->lower + function->upper]->head;
-    char tangent[120];
-    out->angle = is_angle(c, function);
+    const int place = cagd_basis_argument(function, parameter);
+    const char *argument = function->at[place]->head;
+    char tangent[120], of_pi[120];
+    out->angle = is_angle(c, function, place);
     for (int k = out->angle != 0; k < 2; k++) {
         cagd_tree name = {.kind = CAGD_NAME, .head = k == 0 ? argument : parameter};
         if (name.head != NULL)
@@ -155,6 +163,11 @@ static const char *read_basis(const cagd_scope *scope, const cagd_tree *function
     if (out->angle && cagd_key_of_tangent(c, argument, tangent, sizeof tangent))
         variable = tangent;
     const cagd_binding *t = cagd_binding_of(c, variable), *p = parameter != NULL ? cagd_binding_of(c, parameter) : NULL;
+    snprintf(of_pi, sizeof of_pi, "\\pi %s", argument);
+    if (region_faults == 0 && out->angle && cagd_key_of_tangent(c, of_pi, tangent, sizeof tangent) &&
+        cagd_binding_of(c, tangent) != NULL)
+        return "derivatives would have \\pi as a factor: take the angle as the argument, such as \\sin t for 0 \\le t "
+               "\\le \\pi/2";
     if (region_faults != 0 || t == NULL)
         return reason_of(c);
     if (t->is_root_end[0] || t->is_root_end[1])

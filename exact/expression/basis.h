@@ -23,6 +23,9 @@ typedef struct cagd_basis {
     int names;
 } cagd_basis;
 
+/* The place of the argument among the children of a name with arguments: the first that is not the parameter, which may be NULL; else the first. */
+int cagd_basis_argument(const cagd_tree *function, const char *parameter);
+
 /* The functions: `function` is a name with indices and an argument, b_i(t), for first <= index <= last; the argument has bounds
  * in the scope, and other indices have one value.  `parameter` may be NULL.  The field is opened anew.  NULL, or why it cannot be read. */
 const char *cagd_basis_read(const cagd_scope *scope, const cagd_tree *function, const char *index, long first,

@@ -135,29 +135,26 @@ cagd_value cagd_value_of_key(cagd_context *c, const char *key, const cagd_variab
     return b != NULL ? b->value : unknown(c, &none, key, v);
 }
 
-/* "\omega_3^{2}": the name with the values of its indices. */
-int cagd_key_of(cagd_context *c, const cagd_tree *t, const cagd_frame *f, char key[], int room)
+/* "\omega_3^{2}": the name with the values of its indices, which go to index[]. */
+static int key_and_indices(cagd_context *c, const cagd_tree *t, const cagd_frame *f, char key[], int room, long index[])
 {
-    int used = snprintf(key, (size_t)room, "%s", t->head);
-    for (int k = 0; k < t->lower + t->upper && used < room; k++) {
-        long m;
-        cagd_value index = evaluate(c, t->at[k], f);
-        if (region_faults != 0 || !cagd_value_is_whole(index, &m)) {
+    for (int k = 0; k < t->lower + t->upper; k++) {
+        cagd_value v = evaluate(c, t->at[k], f);
+        if (region_faults != 0 || !cagd_value_is_whole(v, &index[k])) {
             cagd_fail(c, t->at[k], FAULT_UNABLE, "an index that is no whole number");
             return 0;
         }
-        int group = k < t->lower ? t->lower : t->upper, first = k == 0 || k == t->lower,
-            last = k + 1 == t->lower || k + 1 == t->lower + t->upper;
-        int braces = group > 1 || m < 0 || m > 9;
-        used += snprintf(key + used, (size_t)(room - used), "%s%s%ld%s",
-                         !first         ? ","
-                         : k < t->lower ? ""
-                                        : "^",
-                         first && braces ? "{" : "", m, last && braces ? "}" : "");
     }
+    int used = cagd_put_key(key, room, t, index);
     if (used >= room)
         cagd_fail(c, t, FAULT_UNABLE, "a name that is too long");
     return used < room;
+}
+
+int cagd_key_of(cagd_context *c, const cagd_tree *t, const cagd_frame *f, char key[], int room)
+{
+    long index[2 * CAGD_MOST_INDICES];
+    return key_and_indices(c, t, f, key, room, index);
 }
 
 /* "(\mathbf{a}_1)_x": of a vector the component that is asked for. */
@@ -196,7 +193,10 @@ static cagd_value of_letter(cagd_context *c, const cagd_tree *t, cagd_value valu
 static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     char key[96];
-    if (!cagd_key_of(c, t, f, key, sizeof key) || !key_of_component(c, t, key, sizeof key))
+    long index[2 * CAGD_MOST_INDICES];
+    if (!key_and_indices(c, t, f, key, sizeof key, index))
+        return cagd_value_int(0);
+    if (!key_of_component(c, t, key, sizeof key))
         return cagd_value_int(0);
     const cagd_binding *b = cagd_binding_of(c, key);
     if (b != NULL)
@@ -206,7 +206,7 @@ static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
             return cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
     if (strcmp(key, "\\pi") == 0 && cagd_declared(c->scope, t->head) == NULL)
         return cagd_fail(c, t, FAULT_UNABLE, "\\pi is no rational number: it stands in angles, and in their bounds");
-    return unknown(c, t, key, cagd_declared(c->scope, t->head));
+    return unknown(c, t, key, cagd_declared_for(c->scope, t, key, index));
 }
 
 /* ---- definitions --------------------------------------------------------------------------------------- */
@@ -512,10 +512,25 @@ static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *l
     return F;
 }
 
+/* d^k a / dw_j^k for a name with an index. */
+static cagd_value derivative_by_name(cagd_context *c, const cagd_tree *t, const frame *f)
+{
+    char key[96];
+    long order = order_of(c, t, t->at[1], f);
+    cagd_value at = name(c, t->at[2], f);
+    cagd_tree *by = cagd_tree_new(CAGD_DERIVATIVE, t->from, t->to, 2);
+    if (by == NULL || region_faults != 0 || !cagd_key_of(c, t->at[2], f, key, sizeof key))
+        return at;
+    by->head = cagd_text_of(key, (int)strlen(key)), by->at[0] = t->at[0], by->at[1] = t->at[1];
+    return by->head != NULL ? derivative_at(c, by, t->at[0], NULL, order, at, f) : at;
+}
+
 /* d^k a / dx^k for a letter x that has a value here. */
 static cagd_value derivative(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     cagd_tree letter = {.kind = CAGD_NAME, .head = t->head, .from = t->from, .to = t->to};
+    if (t->count > 2)
+        return derivative_by_name(c, t, f);
     long order = order_of(c, t, t->at[1], f);
     if (region_faults == 0 && cagd_is_angle_in(c, t->at[0], t->head)) {
         struct cagd_angle here = {&letter, f, cagd_value_int(0)};

@@ -30,6 +30,7 @@ typedef struct cagd_binding {
     int is_number;     /* and no name of the page                                                    */
     int hidden;        /* other names are functions of it that the page does not know (tie.h)            */
     const char *angle; /* the name of the angle of whose part this is the tangent, or NULL             */
+    int of_pi;         /* the angle is \pi times that name                                            */
     int turned;        /* and that of what it is behind so many quarters of the way around (angle.h)   */
     /* Whether the lower, the upper end is this root, of which `low` and `high` are numbers outside: no other root of its polynomial is between
      * the bounds, and so the sign of its polynomial tells on which side of it the name is. */

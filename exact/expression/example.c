@@ -6,7 +6,7 @@
 #include "exact/expression/suppose.h"
 #include "exact/words.h"
 
-enum { MOST_CANDIDATES = 16, MOST_TRIES = 1500, MOST_ROUNDS = 12 };
+enum { MOST_CANDIDATES = 16, MOST_TRIES = 1500, MOST_LOOKS = 12000, MOST_ROUNDS = 12 };
 
 static cagd_side_of_box side_of(const cagd_binding *b)
 {
@@ -45,20 +45,22 @@ static num_q value_of_solved(const cagd_context *c, const cagd_binding *b, const
     return q;
 }
 
-int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, num_q value[], num_q *left, num_q *right)
+/* As cagd_is_example; -1 where the numbers are not within what is supposed. */
+static int look_at(const cagd_context *c, const cagd_tree *t, int k, num_q value[], num_q *left, num_q *right)
 {
     cagd_context *exact = region_bytes(sizeof *exact);
     if (exact == NULL || region_faults != 0)
         return 0;
     *exact = *c;
     exact->in_field = 0, exact->steps = CAGD_USUAL_STEPS, exact->trouble = NULL, exact->split = NULL;
-    exact->until = 0; /* numbers take their steps alone, and so few of them as are tried are looked at when the time is over, too */
+    exact->until =
+        0; /* numbers take their steps alone, and so few of them as are tried are looked at when the time is over, too */
     for (int m = 0; m < c->count; m++)
         if (c->binding[m].unknown) {
             cagd_side_of_box s = side_of(&c->binding[m]);
             if (c->binding[m].is_number || !cagd_is_inside(&s, value[m]) ||
                 !cagd_is_within_angle(&c->binding[m], value[m]))
-                return 0;
+                return -1;
             exact->binding[m].unknown = 0;
             exact->binding[m].value = cagd_value_q(value[m]);
         }
@@ -75,6 +77,7 @@ int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, num_q valu
         is = is_declared(exact, &exact->binding[m]);
     if (is == 1)
         is = cagd_conditions_hold(exact);
+    const int is_within = is == 1;
     *left = *right = from_int_q(0);
     if (is == 1 && k < 0)
         is = cagd_truth(exact, t) == 0;
@@ -85,7 +88,12 @@ int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, num_q valu
     }
     is = is == 1 && region_faults == 0;
     region_faults &= FAULT_MEMORY | FAULT_CROWDED;
-    return is;
+    return is_within ? is : -1;
+}
+
+int cagd_is_example(const cagd_context *c, const cagd_tree *t, int k, num_q value[], num_q *left, num_q *right)
+{
+    return look_at(c, t, k, value, left, right) == 1;
 }
 
 /* Numbers within the bounds, the simplest first. */
@@ -120,21 +128,28 @@ static int candidates(const cagd_binding *b, num_q out[])
 struct search {
     const cagd_context *c;
     const cagd_tree *t;
-    int k, tries, unknowns, of[CAGD_MOST_UNKNOWNS], count[CAGD_MOST_UNKNOWNS];
+    int k, tries, looks, unknowns, of[CAGD_MOST_UNKNOWNS], count[CAGD_MOST_UNKNOWNS];
     num_q (*list)[MOST_CANDIDATES + 6];
     num_q *value, *left, *right;
 };
 
 static int is_example(struct search *s) { return cagd_is_example(s->c, s->t, s->k, s->value, s->left, s->right); }
 
+static int is_patient(const struct search *s) { return s->tries <= MOST_TRIES && s->looks <= MOST_LOOKS; }
+
 static int choose(struct search *s, int m, int total)
 {
     if (m == s->unknowns) {
-        if (total > 0 || ++s->tries > MOST_TRIES)
+        if (total > 0 || ++s->looks > MOST_LOOKS)
             return 0;
-        return is_example(s);
+        region_mark mark = region_open();
+        int is = look_at(s->c, s->t, s->k, s->value, s->left, s->right);
+        s->tries += is >= 0; /* numbers that are not within what is supposed take next to no time */
+        if (is != 1)
+            region_drop(mark);
+        return is == 1;
     }
-    for (int i = 0; i < s->count[m] && i <= total && s->tries <= MOST_TRIES; i++) {
+    for (int i = 0; i < s->count[m] && i <= total && is_patient(s); i++) {
         s->value[s->of[m]] = s->list[m][i];
         if (choose(s, m + 1, total - i))
             return 1;
@@ -234,8 +249,9 @@ int cagd_find_example(const cagd_context *c, const cagd_tree *t, int k, num_q va
             s.count[s.unknowns] = candidates(&c->binding[m], s.list[s.unknowns]);
             most += s.count[s.unknowns++] - 1;
         }
-    for (int total = 0; total <= most && s.tries <= MOST_TRIES; total++)
+    for (int total = 0; total <= most && is_patient(&s); total++)
         if (choose(&s, 0, total))
             return 1;
+    *left = *right = from_int_q(0);
     return find_among_different(&s) || find_in_cell(&s);
 }

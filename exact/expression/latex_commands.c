@@ -508,6 +508,18 @@ static int expand_command(struct expansion *x, const struct slice *t, int a, int
     return b;
 }
 
+/* The comment a..b, on one line, the commands in it expanded, too. */
+static void expand_note(struct expansion *x, const struct slice *t, int a, int b)
+{
+    int begin = x->out->size;
+    struct slice note = part_of(t, a + 1, b);
+    put_slice(x->out, t, a, a + 1);
+    expand(x, &note, 0);
+    for (int k = begin; k < x->out->size; k++)
+        if (x->out->bytes[k] == '\n')
+            x->out->bytes[k] = ' ';
+}
+
 static void expand(struct expansion *x, const struct slice *t, int depth)
 {
     int apart = 1; /* a letter must not become one of a command before it */
@@ -518,7 +530,10 @@ static void expand(struct expansion *x, const struct slice *t, int depth)
         if (t->s[k] == '%' && is_note(t, k)) {
             for (next = k; next < t->n && t->s[next] != '\n'; next++)
                 ;
-            put_slice(x->out, t, k, next);
+            if (depth == 0)
+                expand_note(x, t, k, next);
+            else
+                put_slice(x->out, t, k, next);
         } else if (t->s[k] == '%') {
             next = behind_comment(t, k);
         } else if (t->s[k] == '\\' && next > k + 1) {

@@ -380,7 +380,7 @@ static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
 static int is_count(const cagd_reader *r, const cagd_tree *t)
 {
     const cagd_variable *v = t->kind == CAGD_NAME && t->count == 0 ? cagd_declared(r->scope, t->head) : NULL;
-    if (t->kind != CAGD_SUM && t->kind != CAGD_NEGATIVE && t->kind != CAGD_PRODUCT)
+    if (t->kind != CAGD_SUM && t->kind != CAGD_NEGATIVE && t->kind != CAGD_PRODUCT && t->kind != CAGD_QUOTIENT)
         return t->kind == CAGD_NUMBER || (v != NULL && v->whole);
     for (int k = 0; k < t->count; k++)
         if (!is_count(r, t->at[k]))
@@ -399,14 +399,26 @@ static const cagd_tree *angle_of(cagd_reader *r)
     return b != NULL ? cagd_new_of(r, CAGD_PRODUCT, from, 2, (const cagd_tree *[]){a, b}) : NULL;
 }
 
+/* Whether it is made of numbers and \pi. */
+static int is_turn(const cagd_reader *r, const cagd_tree *t)
+{
+    if (t->kind == CAGD_NAME && t->count == 0 && strcmp(t->head, "\\pi") == 0)
+        return 1;
+    for (int k = 0; k < t->count; k++)
+        if (!is_turn(r, t->at[k]))
+            return 0;
+    return t->count > 0 || is_count(r, t);
+}
+
 /* A name behind an angle without brackets can belong to the angle, as in \sin a t; 0 where it is refused. */
-static int ends_angle(cagd_reader *r)
+static int ends_angle(cagd_reader *r, int is_turn)
 {
     const cagd_token *here = r->token;
-    for (int k = here[-1].to; k < here->from; k++)
+    for (int k = here[-1].to; k < here->from && !is_turn; k++)
         if (r->text[k] == '\\' || r->text[k] == '~') /* a space that is printed parts them */
             return 1;
-    if (!cagd_begins_name(r) || (r->integrals > 0 && cagd_differential(r, here) > 0))
+    if (!(cagd_begins_name(r) || (is_turn && cagd_next_is(r, "("))) ||
+        (r->integrals > 0 && cagd_differential(r, here) > 0))
         return 1;
     const cagd_tree *next = cagd_read_factor(r);
     if (next != NULL && next->dimension == 0)
@@ -424,8 +436,14 @@ static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
     if (power != NULL && power->kind == CAGD_NEGATIVE)
         return cagd_refuse_tree(r, power, "the inverse function, or 1 over it? write \\frac{1}{...}");
     int is_bare = cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER;
+    int is_fraction = cagd_next_is(r, "\\frac");
     const cagd_tree *angle = angle_of(r);
-    const cagd_tree *t = angle != NULL && (!is_bare || ends_angle(r)) ? cagd_new_of(r, kind, from, 1, &angle) : NULL;
+    is_fraction = is_fraction && angle != NULL && is_turn(r, angle); /* \sin\frac{\pi}{2}t */
+    if (angle != NULL && is_bare && cagd_next_is(r, "/"))
+        return cagd_refuse_token(r, "half of the angle, or of the function? write \\frac or brackets");
+    const cagd_tree *t = angle != NULL && ((!is_bare && !is_fraction) || ends_angle(r, is_fraction))
+                             ? cagd_new_of(r, kind, from, 1, &angle)
+                             : NULL;
     return t == NULL || power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
 }
 
@@ -489,7 +507,8 @@ static const cagd_tree *word(cagd_reader *r)
     }
     if (strcmp(w, "\\sin") == 0 || strcmp(w, "\\cos") == 0)
         return r->token++, circular(r, w[1] == 's' ? CAGD_SINE : CAGD_COSINE, from);
-    static const char *const others[] = {"\\tan", "\\exp", "\\log", "\\ln", NULL};
+    static const char *const others[] = {"\\tan",  "\\cot",  "\\sec",  "\\csc",    "\\exp",    "\\log",    "\\ln",
+                                         "\\sinh", "\\cosh", "\\tanh", "\\arcsin", "\\arccos", "\\arctan", NULL};
     if (is_one_of(w, others))
         return cagd_refuse_token(r, "%s is no rational function: name its value, and say what relation it has", w);
     if (strcmp(w, "\\dots") == 0)
@@ -841,7 +860,7 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0, from = r->token->from, more;
     do {
-        const cagd_tree *t = cagd_read_condition(r);
+        const cagd_tree *t = cagd_share_bounds(r) ? cagd_read_condition(r) : NULL;
         if (t == NULL)
             return NULL;
         const cagd_tree *const *conditions = t->kind == CAGD_ALL ? t->at : &t; /* of vectors one for each component */

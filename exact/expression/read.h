@@ -22,6 +22,9 @@ const cagd_tree *cagd_read_statement(const cagd_scope *scope, const char *text, 
  *     0/0 = 0                                       the rule of Cox and de Boor */
 int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error);
 
+/* The same of a line that declares variables that are no whole numbers, with bounds that are numbers or none: whether it is such a one. */
+int cagd_read_declaration(cagd_scope *scope, const char *text, int from, int to);
+
 /* For what a statement is said, its parts with commas between; added to the scope:
  *
  *     n = 1..12        i = 0, \dots, n        n = 1, 2, \dots       whole numbers

@@ -131,7 +131,7 @@ static const cagd_tree *condition(cagd_reader *r)
         return cagd_read_members(r);
     const cagd_tree *range = index_range(r);
     if (range == NULL)
-        return r->error->message[0] == '\0' ? cagd_read_conditions(r) : NULL;
+        return r->error->message[0] == '\0' ? cagd_read_alternatives(r) : NULL;
     if (!cagd_pass(r, ",") || r->token->kind == CAGD_TOKEN_END)
         return range;
     const cagd_tree *more = condition(r);
@@ -222,6 +222,38 @@ static int is_definition(const cagd_token *t)
 
 static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before);
 
+/* Whether a \quad ends before the token. */
+static int is_behind_quad(const cagd_reader *r, const cagd_token *t)
+{
+    int at = t->from;
+    while (at > 0 && r->text[at - 1] == ' ')
+        at--;
+    return at >= 4 && memcmp(r->text + at - 4, "quad", 4) == 0;
+}
+
+/* \quad (n \ge 3) at the end of a definition is read as \quad, n \ge 3. */
+static void open_last_bracket(const cagd_reader *r)
+{
+    int depth = 0, relations = 0;
+    cagd_token *first = (cagd_token *)r->token, *last = first, *t; /* they are this reader's own */
+    while (last->kind != CAGD_TOKEN_END)
+        last++;
+    if (last == first || strcmp((--last)->word, ")") != 0)
+        return;
+    for (t = last; t > first; t--) {
+        depth += (strchr(")}]", t->word[0]) != NULL) - (strchr("({[", t->word[0]) != NULL);
+        if (depth == 0)
+            break;
+        cagd_reader here = *r;
+        cagd_relation relation;
+        here.token = t;
+        relations += depth == 1 && (cagd_relation_next(&here, &relation) || cagd_next_is(&here, "\\in"));
+    }
+    if (t == first || relations == 0 || !is_behind_quad(r, t))
+        return;
+    t->word = ",", last->kind = CAGD_TOKEN_END;
+}
+
 int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error)
 {
     cagd_reader r;
@@ -232,6 +264,8 @@ int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, 
         scope->zero_over_zero = 1;
         return 1;
     }
+    if (is_definition(r.token))
+        open_last_bracket(&r);
     int good = is_definition(r.token) ? definition(&r, scope) : ranges(&r, scope, &before);
     if (good && (cagd_pass(&r, "."), r.token->kind != CAGD_TOKEN_END))
         good = cagd_refuse_token(&r, "expected the end of the line, not %s", cagd_name_of_next(&r)) != NULL;
@@ -242,14 +276,55 @@ int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, 
 
 /* ---- ranges -------------------------------------------------------------------------------------------- */
 
+/* Whether the name stands for one alone, as \omega_3; \omega_i stands for all. */
+static int is_one_of_many(const cagd_tree *name)
+{
+    for (int k = 0; k < name->count; k++)
+        if (name->at[k]->kind != CAGD_NUMBER || !cagd_is_whole_q(name->at[k]->number))
+            return 0;
+    return name->count > 0 && name->arguments == 0;
+}
+
+/* The name under which the declaration of one alone is kept. */
+static const char *key_of_one(const cagd_tree *name)
+{
+    char key[96];
+    long index[2 * CAGD_MOST_INDICES];
+    for (int k = 0; k < name->count; k++)
+        index[k] = mpz_get_si(mpq_numref(name->at[k]->number.at));
+    return cagd_put_key(key, sizeof key, name, index) < (int)sizeof key ? cagd_text_of(key, (int)strlen(key)) : NULL;
+}
+
 static int declare(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, cagd_variable v)
 {
-    v.head = name->head, v.lower = name->lower, v.upper = name->upper;
+    v.head = name->head, v.lower = name->lower, v.upper = name->upper, v.left = name;
     if (name->arguments > 0 || name->order > 0)
         return cagd_refuse_tree(r, name, "a variable has no arguments: define the function") != NULL;
     if (v.whole && name->count > 0)
         return cagd_refuse_tree(r, name, "what runs over whole numbers has no indices") != NULL;
     return cagd_declare(scope, v);
+}
+
+/* The declaration of that name: where it is one of many, its own, which begins as that of all. */
+static int declaration_of(const cagd_scope *scope, const cagd_tree *name, cagd_variable *v)
+{
+    const cagd_variable *all = cagd_declared(scope, name->head), *own = NULL;
+    const char *key = is_one_of_many(name) ? key_of_one(name) : NULL;
+    for (const cagd_variable *w = scope->variables; key != NULL && w != all && own == NULL; w = w->next)
+        own = strcmp(w->head, key) == 0 ? w : NULL;
+    *v = own != NULL ? *own : all != NULL ? *all : (cagd_variable){0};
+    if (key != NULL)
+        v->head = key, v->lower = v->upper = 0, v->left = name;
+    return own != NULL || all != NULL;
+}
+
+/* The first of the variables that is one of those called `name`, before what was declared at `end`; NULL if there is none. */
+static const cagd_variable *one_of_those(const cagd_scope *scope, const cagd_tree *name, const cagd_variable *end)
+{
+    for (const cagd_variable *v = scope->variables; v != NULL && v != end; v = v->next)
+        if (v->left != NULL && strcmp(v->left->head, name->head) == 0 && strcmp(v->head, name->head) != 0)
+            return v;
+    return NULL;
 }
 
 /* A number of components, rows or columns. */
@@ -276,19 +351,39 @@ static int dimension(cagd_reader *r, cagd_variable *v)
     return !braces || cagd_expect(r, "}", "the dimension");
 }
 
-/* Behind \in: \mathbb{R}, \mathbb{N}, [a,b], (a,b). */
+/* ^+, ^*, ^{+}: of whole numbers those from 1 on. */
+static int is_positive(const cagd_token *t)
+{
+    if (strcmp(t->word, "^") != 0)
+        return 0;
+    int braces = strcmp(t[1].word, "{") == 0;
+    const char *sign = t[1 + braces].word;
+    return (strcmp(sign, "+") == 0 || strcmp(sign, "*") == 0) && (!braces || strcmp(t[3].word, "}") == 0);
+}
+
+/* Behind \in: \mathbb{R}, \mathbb{N}, \mathbb{Z}^+, [a,b], (a,b). */
 static int set(cagd_reader *r, cagd_variable *v)
 {
     if (cagd_pass(r, "\\R"))
-        return 1;
+        return dimension(r, v);
     if (cagd_pass(r, "\\mathbb")) {
         int braces = cagd_pass(r, "{");
-        if (!cagd_next_is(r, "R") && !cagd_next_is(r, "N"))
+        const cagd_token *letter = r->token;
+        if (!cagd_next_is(r, "R") && !cagd_next_is(r, "N") &&
+            !(cagd_next_is(r, "Z") && r->token[1].kind != CAGD_TOKEN_END && is_positive(r->token + 1 + braces)))
             return cagd_refuse_token(r, "expected \\mathbb{R} or \\mathbb{N}; whole numbers are n = 1..12") != NULL;
-        v->whole = r->token->word[0] == 'N';
-        v->low = v->whole ? cagd_tree_number(0, r->token->from, r->token->to) : NULL;
+        v->whole = letter->word[0] != 'R';
         r->token++;
-        return (!braces || cagd_expect(r, "}", "the set")) && (v->whole || dimension(r, v));
+        if (braces && !cagd_expect(r, "}", "the set"))
+            return 0;
+        if (!v->whole)
+            return dimension(r, v);
+        int from_1 = is_positive(r->token);
+        r->token += !from_1 ? 0 : strcmp(r->token[1].word, "{") == 0 ? 4 : 2;
+        if (!from_1 && cagd_pass(r, "_") && !cagd_expect(r, "0", "the set"))
+            return 0;
+        v->low = cagd_tree_number(from_1, letter->from, letter->to);
+        return 1;
     }
     v->low_open = cagd_next_is(r, "(");
     if (!cagd_pass(r, "(") && !cagd_pass(r, "["))
@@ -300,6 +395,25 @@ static int set(cagd_reader *r, cagd_variable *v)
         return 0;
     v->high_open = cagd_next_is(r, ")");
     return cagd_pass(r, ")") || cagd_expect(r, "]", "the interval");
+}
+
+/* The letters of the indices of a name, NULL for none, are known: its bounds may have them. */
+static void bind_letters(cagd_reader *r, const cagd_tree *name, struct cagd_bound room[])
+{
+    for (int k = 0, used = 0; name != NULL && k < name->lower + name->upper; k++)
+        if (name->at[k]->kind == CAGD_NAME && name->at[k]->count == 0) {
+            room[used] = (struct cagd_bound){name->at[k]->head, r->bound};
+            r->bound = &room[used++];
+        }
+}
+
+/* The bounds of one of many. */
+static int declare_one(cagd_scope *scope, const cagd_tree *name, cagd_variable bounds)
+{
+    cagd_variable one;
+    declaration_of(scope, name, &one);
+    one.low = bounds.low, one.high = bounds.high, one.low_open = bounds.low_open, one.high_open = bounds.high_open;
+    return one.head != NULL && cagd_declare(scope, one);
 }
 
 /* x, y, P_i \in SET.  -1: it is no such thing. */
@@ -315,6 +429,8 @@ static int elements(cagd_reader *r, cagd_scope *scope)
     if (!cagd_pass(r, "\\in"))
         return back(r, start) - 1;
     cagd_variable v = {0};
+    struct cagd_bound room[2 * CAGD_MOST_INDICES];
+    const struct cagd_bound *outside = r->bound;
     const char *words = cagd_read_words(r);
     if (words != NULL && strcmp(words, "labels") == 0) {
         for (int k = 0; k < count; k++)
@@ -323,17 +439,23 @@ static int elements(cagd_reader *r, cagd_scope *scope)
                 return 0;
         return 1;
     }
-    if (!set(r, &v))
-        return 0;
-    for (int k = 0; k < count; k++) {
+    bind_letters(r, count == 1 ? name[0] : NULL, room);
+    int read = set(r, &v);
+    r->bound = outside;
+    for (int k = 0; k < count && read; k++) {
         const cagd_variable *before = cagd_declared(scope, name[k]->head);
         cagd_variable w = v;
+        if (v.low != NULL && !v.whole && is_one_of_many(name[k])) {
+            if ((before == NULL && !declare(r, scope, name[k], (cagd_variable){0})) || !declare_one(scope, name[k], v))
+                return 0;
+            continue;
+        }
         if (v.whole && before != NULL && before->low != NULL) /* n \ge 1, n \in \mathbb{N} */
             w = *before, w.whole = 1;
         if (!declare(r, scope, name[k], w))
             return 0;
     }
-    return 1;
+    return read;
 }
 
 /* Behind the first number of a range: "..n", ", 2, \dots, n", ", \dots"; the last number, or NULL in *high where there is none.
@@ -423,10 +545,10 @@ static int piece(cagd_reader *r, struct piece *p)
     if (name != NULL && name->arguments == 0 &&
         (cagd_relation_next(r, &relation) || cagd_next_is(r, ",") || r->token->kind == CAGD_TOKEN_END)) {
         const cagd_variable *v = cagd_declared(r->scope, name->head);
-        int is_pi = v == NULL && strcmp(name->head, "\\pi") == 0;
-        *p = (struct piece){name, is_pi || cagd_defined(r->scope, name->head) != NULL ? 0
-                                  : v != NULL && v->whole                             ? -1
-                                                                                      : 1};
+        int is_pi = v == NULL && strcmp(name->head, "\\pi") == 0, is_letter = cagd_is_bound(r, name->head);
+        *p = (struct piece){name, is_pi || is_letter || cagd_defined(r->scope, name->head) != NULL ? 0
+                                  : v != NULL && v->whole                                          ? -1
+                                                                                                   : 1};
         return 1;
     }
     back(r, start);
@@ -434,6 +556,21 @@ static int piece(cagd_reader *r, struct piece *p)
     *p = (struct piece){cagd_read_sum(r), 0};
     r->supposing--;
     return p->tree != NULL;
+}
+
+/* The indices of the variable are called as in the name; in a bound that it had before, and that is none of these pieces, too. */
+static void take_letters(cagd_variable *v, const cagd_tree *name, const struct piece p[], int count)
+{
+    const cagd_tree **bound[2] = {&v->low, &v->high}, *left = v->left;
+    v->left = name;
+    for (int m = 0; m < 2; m++) {
+        int is_new = 0;
+        for (int k = 0; k < count; k++)
+            is_new |= p[k].tree == *bound[m];
+        for (int k = 0; left != NULL && k < left->lower + left->upper && !is_new; k++)
+            if (left->at[k]->kind == CAGD_NAME)
+                *bound[m] = cagd_tree_with(*bound[m], left->at[k]->head, name->at[k]);
+    }
 }
 
 static int is_less(cagd_relation a) { return a == CAGD_LESS || a == CAGD_LESS_OR_EQUAL; }
@@ -483,6 +620,52 @@ static const cagd_tree *for_every_index(cagd_reader *r, const cagd_tree *t)
     return every;
 }
 
+/* The name whose bounds the chain that comes next tells, if it has indices: the first member that is a name by itself. */
+static const cagd_tree *name_ahead(cagd_reader *r)
+{
+    struct place start = here(r);
+    cagd_relation relation;
+    const cagd_tree *found = NULL;
+    for (int depth = 0, begins = 1; found == NULL && r->token->kind != CAGD_TOKEN_END; r->token++) {
+        struct place at = here(r);
+        const char word = r->token->word[0];
+        if (begins && depth == 0 && (found = declared_name(r)) != NULL &&
+            (found->count == 0 || found->arguments > 0 ||
+             !(cagd_relation_next(r, &relation) || cagd_next_is(r, ",") || r->token->kind == CAGD_TOKEN_END)))
+            found = NULL;
+        back(r, at);
+        begins = cagd_relation_next(r, &relation);
+        depth += (strchr("({[", word) != NULL) - (strchr(")}]", word) != NULL);
+        if (depth == 0 && (word == ',' || word == ';'))
+            break;
+    }
+    back(r, start);
+    return found;
+}
+
+/* Whether the letter, a whole number, is called as last indices are and running ones are not. */
+static int is_last_index(const cagd_scope *scope, const char *letter)
+{
+    const cagd_variable *v = cagd_declared(scope, letter);
+    return v != NULL && v->whole && letter[1] == '\0' && strchr("nmNM", letter[0]) != NULL;
+}
+
+/* Whether the name is all of those that are called so, and no certain one, as \omega_3, \omega_{i+1}, or \omega_n where n = 1, 2, 3. */
+static int is_each(const cagd_scope *scope, const cagd_tree *name)
+{
+    for (int k = 0; k < name->count; k++) {
+        const cagd_tree *t = name->at[k];
+        const cagd_definition *d = t->kind == CAGD_NAME ? cagd_defined(scope, t->head) : NULL;
+        if (t->kind != CAGD_NAME || t->count > 0 || (d != NULL && d->left->count == 0) || is_last_index(scope, t->head))
+            return 0;
+        for (const cagd_variable *v = scope->variables; v != NULL; v = v->next)
+            if (v->whole && v->high != NULL && strcmp(v->head, t->head) != 0 && cagd_tree_has(v->high, t->head) &&
+                cagd_declared(scope, t->head) != NULL)
+                return 0;
+    }
+    return 1;
+}
+
 /* -1 \le \lambda < 1: bounds of the only variable, or else a condition.  What was said before this list of ranges, in `before`, of a
  * variable that is no whole number is replaced; what this list says itself holds as well. */
 static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
@@ -490,15 +673,21 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     struct piece p[CAGD_MOST_INDICES];
     cagd_relation relation[CAGD_MOST_INDICES];
     int count = 0, alone = 0, whole = 0, which = 0, from = r->token->from, up = 1, down = 1, some_index = 0;
+    struct cagd_bound room[2 * CAGD_MOST_INDICES];
+    const struct cagd_bound *outside = r->bound;
+    bind_letters(r, name_ahead(r), room);
     do {
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_INDICES - 1) != NULL;
-        if (!piece(r, &p[count]))
+        if (!piece(r, &p[count])) {
+            r->bound = outside;
             return 0;
+        }
         which = p[count].alone > 0 || (p[count].alone < 0 && alone == 0) ? count : which;
         alone += p[count].alone > 0;
         whole += p[count].alone < 0;
     } while (cagd_relation_next(r, &relation[count++]) && r->token++);
+    r->bound = outside;
     if (count == 1)
         return cagd_refuse_token(r, "expected a range or a condition, not %s", cagd_name_of_next(r)) != NULL;
     if (cagd_changes_direction(relation, count - 1))
@@ -512,10 +701,16 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         down &= k + 1 == count || is_greater(relation[k]);
     }
     if (!some_index && (alone == 1 || (alone == 0 && whole == 1)) && count <= 3 && (up || down) &&
-        (count == 2 || which == 1)) {
-        cagd_variable v = *cagd_declared(scope, p[which].tree->head);
-        const cagd_variable *old = cagd_declared(before, v.head);
-        int replaces = 1;
+        (count == 2 || which == 1) && (is_one_of_many(p[which].tree) || is_each(scope, p[which].tree))) {
+        cagd_variable v, was;
+        const cagd_variable *old = declaration_of(before, p[which].tree, &was) ? &was : NULL;
+        declaration_of(scope, p[which].tree, &v);
+        const cagd_variable *one =
+            is_one_of_many(p[which].tree) ? NULL : one_of_those(scope, p[which].tree, before->variables);
+        if (one != NULL)
+            return cagd_refuse_tree(r, p[which].tree, "bounds of all of them stand before those of %s alone",
+                                    one->head) != NULL;
+        int replaces = v.head != NULL;
         for (int k = 0; k < count; k++) {
             if (k == which)
                 continue;
@@ -528,8 +723,10 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
             else
                 v.high = p[k].tree, v.high_open = strict;
         }
-        if (replaces)
+        if (replaces) {
+            take_letters(&v, p[which].tree, p, count);
             return cagd_declare(scope, v);
+        }
     }
     const cagd_tree *list[CAGD_MOST_INDICES];
     for (int k = 0; k < count; k++)
@@ -543,11 +740,12 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     do {
         while (cagd_read_words(r) != NULL)
             ;
+        cagd_share_value(r);
         int done = elements(r, scope);
         if (done < 0)
             done = numbers(r, scope);
         if (done < 0)
-            done = chain(r, scope, before);
+            done = cagd_share_bounds(r) && chain(r, scope, before);
         if (!done)
             return 0;
     } while (cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_next_is(r, "\\text"));
@@ -563,6 +761,37 @@ int cagd_read_ranges(cagd_scope *scope, const char *text, int from, int to, cagd
     int good = ranges(&r, scope, &before);
     if (good && r.token->kind != CAGD_TOKEN_END)
         good = cagd_refuse_token(&r, "expected a comma or the end, not %s", cagd_name_of_next(&r)) != NULL;
+    if (!good)
+        *scope = before;
+    return good;
+}
+
+/* Whether the bound has no names but \pi and those of the indices. */
+static int is_of_numbers(const cagd_tree *t, const cagd_tree *left)
+{
+    if (t == NULL)
+        return 1;
+    for (int k = 0; t->kind == CAGD_NAME && left != NULL && k < left->count; k++)
+        if (left->at[k]->kind == CAGD_NAME && strcmp(left->at[k]->head, t->head) == 0)
+            return 1;
+    for (int k = 0; k < t->count; k++)
+        if (!is_of_numbers(t->at[k], left))
+            return 0;
+    return t->kind != CAGD_NAME || strcmp(t->head, "\\pi") == 0;
+}
+
+int cagd_read_declaration(cagd_scope *scope, const char *text, int from, int to)
+{
+    cagd_reader r;
+    cagd_reading_error error;
+    cagd_scope before = *scope;
+    if (!cagd_reader_open(&r, scope, text, from, to, &error))
+        return 0;
+    int good = !is_definition(r.token) && ranges(&r, scope, &before) &&
+               scope->condition_count == before.condition_count && scope->definitions == before.definitions &&
+               scope->label_count == before.label_count;
+    for (const cagd_variable *v = scope->variables; good && v != before.variables; v = v->next)
+        good = !v->whole && is_of_numbers(v->low, v->left) && is_of_numbers(v->high, v->left);
     if (!good)
         *scope = before;
     return good;

@@ -2,6 +2,7 @@
 #include "exact/expression/reader.h"
 #include "exact/words.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* ---- fractions and derivatives ------------------------------------------------------------------------- */
@@ -19,11 +20,49 @@ int cagd_differential(const cagd_reader *r, const cagd_token *t)
     return strcmp(t[1].word, "{") == 0 && strcmp(t[2].word, "d") == 0 && strcmp(t[3].word, "}") == 0 ? 4 : 0;
 }
 
-/* A letter by which there is a derivative, and how often; NULL: once. */
+/* A letter by which there is a derivative, or a name with a lower index; and how often, NULL: once. */
 struct by {
     const char *head;
-    const cagd_tree *order;
+    const cagd_tree *name, *order;
 };
+
+/* What stands behind the sign of a differential: w, w_1, w^2, w_1^2. */
+static int by_what(cagd_reader *r, struct by *by)
+{
+    char text[80];
+    const cagd_token *first = r->token;
+    *by = (struct by){.head = cagd_read_head(r)};
+    if (by->head == NULL)
+        return 0;
+    if (cagd_pass(r, "_")) {
+        const cagd_tree *index = cagd_read_argument(r, 1);
+        if (index == NULL)
+            return 0;
+        int n = snprintf(text, sizeof text, "%s_", by->head);
+        by->head = n < (int)sizeof text ? cagd_text_of(text, n) : by->head;
+        const cagd_variable *v = cagd_declared(r->scope, by->head);
+        cagd_tree *name = cagd_new_of(r, CAGD_NAME, first->from, 1, &index);
+        if (name == NULL)
+            return 0;
+        if (v == NULL || v->lower != 1 || v->upper > 0 || v->dimension > 0)
+            return cagd_refuse_tree(r, name, "%s was not declared with one index", cagd_spelled(by->head)) != NULL;
+        name->head = by->head, name->lower = 1;
+        by->name = name;
+    } else if (!cagd_is_known(r, by->head)) {
+        r->token = first;
+        return cagd_refuse_token(r, "%s is not defined", by->head) != NULL;
+    }
+    return !cagd_pass(r, "^") || (by->order = cagd_read_argument(r, 1)) != NULL;
+}
+
+static const cagd_tree *derivative_of(cagd_reader *r, int from, const cagd_tree *body, struct by by)
+{
+    cagd_tree *t =
+        cagd_new_of(r, CAGD_DERIVATIVE, from, by.name != NULL ? 3 : 2, (const cagd_tree *[]){body, by.order, by.name});
+    if (t != NULL)
+        t->head = by.head;
+    return t;
+}
 
 /* \partial^3 f / \partial s^2 \partial t, the first letter below being passed: one derivative of another. */
 static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tree *order, const cagd_tree *body,
@@ -35,17 +74,8 @@ static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tr
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "a derivative by more than %d letters", CAGD_MOST_INDICES);
         r->token += sign;
-        const cagd_token *variable = r->token;
-        by[count].head = cagd_read_head(r);
-        if (by[count].head == NULL)
+        if (!by_what(r, &by[count++]))
             return NULL;
-        if (!cagd_is_known(r, by[count].head)) {
-            r->token = variable;
-            return cagd_refuse_token(r, "%s is not defined", by[count].head);
-        }
-        if (cagd_pass(r, "^") && (by[count].order = cagd_read_argument(r, 1)) == NULL)
-            return NULL;
-        count++;
     }
     for (int k = 0; k < count; k++) {
         if (by[k].order == NULL)
@@ -60,13 +90,8 @@ static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tr
         return NULL;
     if (body == NULL)
         body = cagd_read_product(r);
-    while (body != NULL && count > 0) {
-        count--;
-        cagd_tree *t = cagd_new_of(r, CAGD_DERIVATIVE, from, 2, (const cagd_tree *[]){body, by[count].order});
-        if (t != NULL)
-            t->head = by[count].head;
-        body = t;
-    }
+    while (body != NULL && count > 0)
+        body = derivative_of(r, from, body, by[--count]);
     return body;
 }
 
@@ -105,32 +130,22 @@ static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
     if (sign == 0)
         return cagd_refuse_token(r, "expected d and a letter below the derivative, not %s", cagd_name_of_next(r));
     r->token += sign;
-    const cagd_token *variable = r->token;
-    const char *head = cagd_read_head(r);
-    if (head == NULL)
-        return NULL;
-    if (!cagd_is_known(r, head)) {
-        r->token = variable;
-        return cagd_refuse_token(r, "%s is not defined", head);
-    }
-    const cagd_tree *again = NULL;
-    if (cagd_pass(r, "^") && (again = cagd_read_argument(r, 1)) == NULL)
+    struct by by;
+    if (!by_what(r, &by))
         return NULL;
     if (cagd_differential(r, r->token) > 0)
-        return mixed_derivative(r, from, order, body, (struct by){head, again});
-    if ((order == NULL) != (again == NULL) || (order != NULL && !cagd_tree_equal(order, again)))
+        return mixed_derivative(r, from, order, body, by);
+    if ((order == NULL) != (by.order == NULL) || (order != NULL && !cagd_tree_equal(order, by.order)))
         return cagd_refuse_token(r, "the orders above and below are not the same");
     if (!cagd_expect(r, "}", "the derivative") || (body != NULL && cagd_refuse_argument(r, body)))
         return NULL;
     int follows = body == NULL;
     if (follows)
         body = cagd_read_product(r);
-    if (order == NULL)
-        order = cagd_tree_number(1, from, from);
-    cagd_tree *t = cagd_new_of(r, CAGD_DERIVATIVE, from, 2, (const cagd_tree *[]){body, order});
-    if (t != NULL)
-        t->head = head;
-    return follows ? value_behind(r, t, head) : t;
+    if (by.order == NULL)
+        by.order = cagd_tree_number(1, from, from);
+    cagd_tree *t = (cagd_tree *)derivative_of(r, from, body, by);
+    return follows && by.name == NULL ? value_behind(r, t, by.head) : t;
 }
 
 const cagd_tree *cagd_read_fraction(cagd_reader *r, int from)

@@ -65,7 +65,7 @@ const cagd_tree *cagd_read_condition(cagd_reader *r)
     return t;
 }
 
-static const cagd_tree *alternatives(cagd_reader *r)
+const cagd_tree *cagd_read_alternatives(cagd_reader *r)
 {
     static const char *const words[] = {"or", NULL};
     const cagd_tree *list[CAGD_MOST_CHILDREN];
@@ -103,6 +103,15 @@ static int finite_range(cagd_reader *r, const cagd_tree **low, const cagd_tree *
     return *high != NULL && (!braces || cagd_expect(r, "\\}", "the last number"));
 }
 
+/* Whether names and an interval come next, t \in [0,1]. */
+static int is_interval_ahead(const cagd_reader *r)
+{
+    const cagd_token *t = r->token;
+    while (t->kind != CAGD_TOKEN_END && strcmp(t->word, "\\in") != 0 && strcmp(t->word, ":") != 0)
+        t++;
+    return cagd_next_is_member(r) && strcmp(t->word, "\\in") == 0 && (t[1].word[0] == '[' || t[1].word[0] == '(');
+}
+
 static const cagd_tree *quantified(cagd_reader *r)
 {
     int from = r->token->from;
@@ -111,6 +120,14 @@ static const cagd_tree *quantified(cagd_reader *r)
     r->token++;
     if (++r->depth > CAGD_MOST_DEPTH)
         return cagd_refuse_token(r, "more than %d levels of brackets", CAGD_MOST_DEPTH);
+    if (kind == CAGD_FOR_ALL && is_interval_ahead(r)) { /* what is said of a variable is said of all its values */
+        const cagd_tree *within = cagd_read_members(r);
+        if (!cagd_pass(r, ":") && !cagd_pass(r, ","))
+            cagd_pass(r, ";");
+        const cagd_tree *said = within != NULL ? cagd_read_truth(r) : NULL;
+        r->depth--;
+        return said != NULL ? cagd_new_of(r, CAGD_IMPLIES, from, 2, (const cagd_tree *[]){within, said}) : NULL;
+    }
     if (r->token->kind != CAGD_TOKEN_LETTER)
         return cagd_refuse_token(r, "expected a letter, not %s", cagd_name_of_next(r));
     const char *head = (r->token++)->word;
@@ -224,7 +241,7 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     int from = r->token->from;
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return quantified(r);
-    const cagd_tree *a = alternatives(r), *b = a;
+    const cagd_tree *a = cagd_read_alternatives(r), *b = a;
     if (a == NULL)
         return NULL;
     int implies = cagd_pass(r, "\\Rightarrow"), iff = !implies && cagd_pass(r, "\\iff"),
@@ -235,7 +252,7 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
         return a;
     if (implied && only_names(r))
         return a;
-    b = implies ? cagd_read_truth(r) : cagd_next_is_member(r) ? cagd_read_members(r) : alternatives(r);
+    b = implies ? cagd_read_truth(r) : cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_alternatives(r);
     if (b == NULL)
         return NULL;
     const cagd_tree *pair[2] = {implied ? b : a, implied ? a : b};

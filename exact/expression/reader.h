@@ -107,11 +107,18 @@ int cagd_differential(const cagd_reader *r, const cagd_token *t);
 /* A chain of relations, and conditions with "," or "and" between; a truth. */
 const cagd_tree *cagd_read_relations(cagd_reader *r);
 const cagd_tree *cagd_read_conditions(cagd_reader *r);
+/* Conditions, and perhaps others behind \lor or "or". */
+const cagd_tree *cagd_read_alternatives(cagd_reader *r);
 /* What is true or false: conditions, with implications, "or", "not" and quantifiers between. */
 const cagd_tree *cagd_read_truth(cagd_reader *r);
 /* Whether names and \in come next, with no relation before it: what follows is said of them. */
 int cagd_next_is_member(const cagd_reader *r);
 const cagd_tree *cagd_read_members(cagd_reader *r);
+/* The list that comes next, 0 \le u, v \le 1 or x, y > 0, becomes a relation for each name; what is no such list stays.  0 and an error where both
+ * can be meant. */
+int cagd_share_bounds(cagd_reader *r);
+/* And names with the same value, \omega_0 = \omega_2 = 1, which become an equality for each. */
+void cagd_share_value(cagd_reader *r);
 /* One condition: a chain of relations, or a truth in brackets. */
 const cagd_tree *cagd_read_condition(cagd_reader *r);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);

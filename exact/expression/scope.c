@@ -2,6 +2,7 @@
 
 #include "exact/words.h"
 
+#include <stdio.h>
 #include <string.h>
 
 const cagd_definition *cagd_defined(const cagd_scope *scope, const char *head)
@@ -18,6 +19,42 @@ const cagd_variable *cagd_declared(const cagd_scope *scope, const char *head)
     while (v != NULL && strcmp(v->head, head) != 0)
         v = v->next;
     return v;
+}
+
+int cagd_put_key(char key[], int room, const cagd_tree *t, const long index[])
+{
+    int used = snprintf(key, (size_t)room, "%s", t->head);
+    for (int k = 0; k < t->lower + t->upper && used < room; k++) {
+        int group = k < t->lower ? t->lower : t->upper, first = k == 0 || k == t->lower,
+            last = k + 1 == t->lower || k + 1 == t->lower + t->upper;
+        int braces = group > 1 || index[k] < 0 || index[k] > 9;
+        used += snprintf(key + used, (size_t)(room - used), "%s%s%ld%s",
+                         !first         ? ","
+                         : k < t->lower ? ""
+                                        : "^",
+                         first && braces ? "{" : "", index[k], last && braces ? "}" : "");
+    }
+    return used;
+}
+
+const cagd_variable *cagd_declared_for(const cagd_scope *scope, const cagd_tree *t, const char *key, const long index[])
+{
+    const cagd_variable *v = scope->variables;
+    while (v != NULL && strcmp(v->head, t->head) != 0 && strcmp(v->head, key) != 0)
+        v = v->next;
+    if (v == NULL || v->left == NULL || strcmp(v->head, key) == 0)
+        return v;
+    cagd_variable *one = region_bytes(sizeof *one);
+    if (one == NULL)
+        return NULL;
+    *one = *v;
+    for (int k = 0; k < v->left->lower + v->left->upper && k < t->lower + t->upper; k++)
+        if (v->left->at[k]->kind == CAGD_NAME && v->left->at[k]->count == 0) {
+            const char *letter = v->left->at[k]->head;
+            one->low = cagd_tree_with(one->low, letter, cagd_tree_number(index[k], t->from, t->to));
+            one->high = cagd_tree_with(one->high, letter, cagd_tree_number(index[k], t->from, t->to));
+        }
+    return one;
 }
 
 int cagd_dimension_of(const cagd_scope *scope, const char *head)
@@ -139,6 +176,13 @@ static void take_bounds(const cagd_scope *scope, cagd_variable *v)
     }
 }
 
+/* Whether the child number k of t is an index, or what else is a whole number always: below in a binomial coefficient, the end of a sum. */
+static int is_counted(const cagd_tree *t, int k)
+{
+    return (t->kind == CAGD_NAME && k < t->lower + t->upper) || (t->kind == CAGD_BINOMIAL && k == 1) ||
+           ((t->kind == CAGD_SUM_OVER || t->kind == CAGD_PRODUCT_OVER) && k < 2);
+}
+
 static int make_whole(cagd_scope *scope, const cagd_tree *t, int in_index)
 {
     const cagd_variable *v = in_index && t->kind == CAGD_NAME && t->count == 0 ? cagd_declared(scope, t->head) : NULL;
@@ -149,7 +193,7 @@ static int make_whole(cagd_scope *scope, const cagd_tree *t, int in_index)
         return whole.low == NULL || cagd_declare(scope, whole);
     }
     for (int k = 0; k < t->count; k++)
-        if (!make_whole(scope, t->at[k], in_index || (t->kind == CAGD_NAME && k < t->lower + t->upper)))
+        if (!make_whole(scope, t->at[k], in_index || is_counted(t, k)))
             return 0;
     return 1;
 }

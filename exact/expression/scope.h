@@ -13,10 +13,12 @@ typedef struct cagd_definition {
     struct cagd_definition *next;        /* in the order in which they were written       */
 } cagd_definition;
 
-/* A variable, with so many lower and upper indices: "\omega_i", "t".  Its values, where bounds are known: the bounds are trees, which may have
- * the names of numbers; a bound that is NULL is none. */
+/* A variable, with so many lower and upper indices: "\omega_i", "t"; or one of them alone, "\omega_3", whose bounds are not those of the others.
+ * Its values, where bounds are known: the bounds are trees, which may have the names of numbers, and the letters that the indices have in `left`; a
+ * bound that is NULL is none. */
 typedef struct cagd_variable {
     const char *head;
+    const cagd_tree *left; /* the name as it was declared, or NULL */
     int lower, upper;
     int dimension; /* of a vector or matrix; 0 of a number */
     int whole;     /* runs over the whole numbers from low to high; every number from low on when high is NULL */
@@ -38,6 +40,11 @@ typedef struct cagd_scope {
 /* The first definition of that name, the variable of that name; NULL if there is none. */
 const cagd_definition *cagd_defined(const cagd_scope *scope, const char *head);
 const cagd_variable *cagd_declared(const cagd_scope *scope, const char *head);
+/* The declaration of the name t with the indices of the key: that of it alone, or that of all, with its indices in the bounds; NULL if there is none. */
+const cagd_variable *cagd_declared_for(const cagd_scope *scope, const cagd_tree *t, const char *key,
+                                       const long index[]);
+/* The key of a name with these indices, "\omega_{12}^3"; the length that it would have, as snprintf. */
+int cagd_put_key(char key[], int room, const cagd_tree *t, const long index[]);
 /* The dimension of the vectors of that name; 0 where they are numbers, or where it is not known. */
 int cagd_dimension_of(const cagd_scope *scope, const char *head);
 int cagd_is_label(const cagd_scope *scope, const char *head);
@@ -50,7 +57,8 @@ const char *cagd_nearest(const cagd_scope *scope, const char *head);
  * body of the new definition is to be filled in: it may use its own name. */
 cagd_definition *cagd_define(cagd_scope *scope, const cagd_tree *left);
 int cagd_declare(cagd_scope *scope, cagd_variable v);
-/* Variables with a lower bound that are indices of names of the tree become whole numbers, 0 <= i <= n being 0, 1, ..., n. */
+/* Variables with a lower bound that are indices of names of the tree, ends of its sums, or stand below in binomial coefficients become whole
+ * numbers, 0 <= i <= n being 0, 1, ..., n. */
 int cagd_make_indices_whole(cagd_scope *scope, const cagd_tree *t);
 int cagd_suppose(cagd_scope *scope, const cagd_tree *condition);
 int cagd_label(cagd_scope *scope, const cagd_tree *letter);

@@ -50,6 +50,22 @@ int cagd_tree_equal(const cagd_tree *a, const cagd_tree *b)
     return 1;
 }
 
+const cagd_tree *cagd_tree_with(const cagd_tree *t, const char *letter, const cagd_tree *other)
+{
+    if (t == NULL || other == NULL || !cagd_tree_has(t, letter))
+        return t;
+    if (t->kind == CAGD_NAME && t->count == 0 && strcmp(t->head, letter) == 0)
+        return other;
+    cagd_tree *copy = cagd_tree_new(t->kind, t->from, t->to, t->count);
+    if (copy == NULL)
+        return t;
+    const cagd_tree **at = copy->at;
+    *copy = *t, copy->at = at;
+    for (int k = 0; k < t->count; k++)
+        at[k] = cagd_tree_with(t->at[k], letter, other);
+    return copy;
+}
+
 int cagd_same_index(const cagd_tree *left, int k)
 {
     for (int m = 0; left->at[k]->kind == CAGD_NAME && m < k; m++)

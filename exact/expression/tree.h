@@ -31,7 +31,7 @@ typedef enum cagd_tree_kind {
     CAGD_PRODUCT_OVER,
     CAGD_MAXIMUM_OVER,
     CAGD_MINIMUM_OVER,
-    CAGD_DERIVATIVE,     /* [a]: `order` times by the variable `head`                                                 */
+    CAGD_DERIVATIVE,     /* [a, k]: k times by the variable `head`; [a, k, name]: by that name, with an index         */
     CAGD_INTEGRAL,       /* [low, high, a] by the variable `head`                                                     */
     CAGD_AT,             /* [a, b]: a with b in the place of the variable `head`                                      */
     CAGD_POINT,          /* [x, y, ...]: a vector by its components, a matrix by its rows, one behind the other       */
@@ -95,6 +95,9 @@ cagd_tree *cagd_tree_number(long value, int from, int to);
 /* Whether the name occurs in the tree as it stands; and whether the trees are the same, wherever they were read. */
 int cagd_tree_has(const cagd_tree *t, const char *head);
 int cagd_tree_equal(const cagd_tree *a, const cagd_tree *b);
+
+/* The tree with another one in the place of that letter; NULL for NULL. */
+const cagd_tree *cagd_tree_with(const cagd_tree *t, const char *letter, const cagd_tree *other);
 
 /* On the left of a definition: the child before the k-th one that is the same letter, b_{n,n}; -1 where there is none. */
 int cagd_same_index(const cagd_tree *left, int k);

@@ -330,6 +330,23 @@ class Pages(unittest.TestCase):
         self.assertEqual(r.returncode, 1)
         self.assertIn("there are other variables", r.stdout)
 
+    def test_the_parameter_may_stand_before_the_argument(self):
+        """Ye, Long and Zeng (2010) write b_i(\\lambda; t): the argument is the letter that is not asked for."""
+        told = []
+        for arguments in ("t;\\lambda", "\\lambda;t"):
+            let = f"\\lambda \\in [-9, 9]\nb_0({arguments}) = (1-t)^2 (1-\\lambda t)\nb_1({arguments}) = t(1-t) (2+\\lambda)\nb_2({arguments}) = t^2 (1-\\lambda+\\lambda t)"
+            r = self.check(f":functions: b_i({arguments})\n:for: i = 0..2, 0 \\le t \\le 1\n:find: \\lambda", let=let)
+            self.assertEqual((r.returncode, r.stderr), (0, ""))
+            told.append(r.stdout.split("Properties")[1])
+        self.assertEqual(told[0], told[1])
+        self.assertIn("nonnegative               −2 ≤ λ ≤ 1", told[0])
+
+    def test_the_angle_of_a_sheet_is_the_argument(self):
+        let = "f_0(t) = 1 - \\sin\\frac{\\pi t}{2}\nf_1(t) = \\sin\\frac{\\pi t}{2}"
+        r = self.check(":functions: f_i(t)\n:for: i = 0..1, 0 \\le t \\le 1", let=let)
+        self.assertEqual(r.returncode, 1)
+        self.assertIn("take the angle as the argument", r.stdout)
+
     def test_where_the_denominators_are_not_0(self):
         let = "m \\in \\mathbb{R}\nr_i(t;m) = \\frac{\\binom{2}{i} t^i (1-t)^{2-i}}{(1-t)^2 + 2 m t (1-t) + t^2}\ns_i(t) = \\frac{t^i}{2 t - 1}"
         r = self.check(":functions: r_i(t;m)\n:for: i = 0..2, 0 \\le t \\le 1\n:find: m", let=let)

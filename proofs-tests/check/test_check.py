@@ -557,6 +557,100 @@ g(s,t) = s^2 t^3
         self.assertEqual(verdict("p \\ge 0", "n = 1", let)["verdict"], "holds")
         self.assertEqual(verdict("p \\ge 0", "p \\ge -1", let)["verdict"], "fails")
 
+    def test_bounds_of_one_of_many(self):
+        """Those of \\lambda_1 are not those of \\lambda_2, nor those of x_n the ones of all x_i."""
+        let = "\\lambda_i \\in \\mathbb{R}\n"
+        for printed, ranges, expected in (
+                (r"\lambda_2 \le 1", r"-3 \le \lambda_1 \le 1", "fails"), (r"\lambda_1 \le 1", r"-3 \le \lambda_1 \le 1", "holds"),
+                (r"\lambda_2 + \lambda_1 \le 4", r"-3 \le \lambda_1 \le 1, 2 \le \lambda_2 \le 3", "holds"), (r"\lambda_2 + \lambda_1 < 4", r"-3 \le \lambda_1 \le 1, 2 \le \lambda_2 \le 3", "fails"),
+                (r"\lambda_2 + \lambda_1 < 4", r"\lambda_1 \in [-3, 1], \lambda_2 \in [2, 3)", "holds"), (r"\lambda_2 + \lambda_3 < 4", r"\lambda_1 \in [-3, 1], \lambda_2 \in [2, 3)", "fails"),
+                (r"\lambda_2 \lambda_1 > 0", r"\lambda_i > 0, \lambda_2 < 1", "holds"), (r"\lambda_2 + \lambda_1 < 2", r"\lambda_i > 0, \lambda_2 < 1", "fails"),
+                (r"\lambda_0 + \lambda_n > 0", r"n = 1..3, \lambda_0 \ge 0, \lambda_n > 0", "holds"), (r"\sum_{i=0}^n \lambda_i > 0", "n = 1..3, \\lambda_n > 0", "fails"),
+                (r"\lambda_1 > 0", r"n = 3, \lambda_0, \lambda_n > 0", "fails"), (r"\lambda_3 > 0", r"n = 3, \lambda_0, \lambda_n > 0", "holds")):
+            with self.subTest(printed=printed, ranges=ranges):
+                self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+        self.assertEqual(verdict(r"\lambda_1 \le 1", r"-3 \le \lambda_1 \le 1", let)["scope"], "−3 ≤ λ₁ ≤ 1")
+        r = check(document("x = x", r"\lambda_1 > 0, \lambda_i < 1", let))
+        self.assertIn("bounds of all of them stand before those of \\lambda_1 alone", r.stderr)
+
+    def test_bounds_with_the_index_of_the_name(self):
+        """Han, Ma and Huang (2008), a basis with as many parameters as its degree: each has its own bounds, whatever the letter."""
+        let = ("\\lambda_i \\in \\mathbb{R}\nq_{0,n}(t) = (1-t)^n (1-\\lambda_1 t)\nq_{n,n}(t) = t^n (1 + \\lambda_n - \\lambda_n t)\n"
+               "q_{i,n}(t) = t^i (1-t)^{n-i} \\left( \\binom{n}{i} + \\lambda_i - \\lambda_i t - \\lambda_{i+1} t \\right)\n")
+        for k in "ik":
+            for low in (r"[-\binom{n}{k}, \binom{n}{k-1}]", r"(-\binom{n}{k}, \binom{n}{k-1})"):
+                bounds = rf"\lambda_{k} \in " + low.replace("{k", "{" + k)
+                self.assertEqual(verdict(r"q_{i,n}(t) \ge 0", f"n = 1..4, i = 0..n, 0 \\le t \\le 1, {bounds}", let)["verdict"], "holds", bounds)
+            for bounds, expected in ((r"-\binom{n}{k} \le \lambda_k \le \binom{n}{k-1}", "holds"), (r"-\binom{n}{k} - 1 \le \lambda_k \le \binom{n}{k-1}", "fails"),
+                                     (r"-\binom{n}{k} \le \lambda_k \le \binom{n}{k}", "fails")):
+                bounds = bounds.replace("{k", "{" + k).replace("_k", "_" + k)
+                self.assertEqual(verdict(r"q_{i,n}(t) \ge 0", f"n = 1..4, i = 0..n, 0 \\le t \\le 1, {bounds}", let)["verdict"], expected, bounds)
+        let = "\\mu_i \\ge -i\n"
+        for bounds, most in (("\\mu_k \\le k", 5), ("\\mu_i \\le i", 5), ("\\mu_k \\le 2 k", 10)):
+            self.assertEqual(verdict(f"-5 \\le \\mu_3 + \\mu_2 \\le {most}", bounds, let)["verdict"], "holds")
+            self.assertEqual(verdict(f"-5 \\le \\mu_3 + \\mu_2 < {most}", bounds, let)["verdict"], "fails")
+
+    def test_bounds_of_several_names(self):
+        """0 <= u, v <= 1 says it of both, before a formula, behind it and in an implication; where two conditions can be meant it is asked."""
+        for printed, ranges, expected in (
+                ("u v \\le 1", "0 \\le u, v \\le 1", "holds"), ("u v < 1", "0 \\le u, v \\le 1", "fails"), ("u v < 1", "0 \\le u, v < 1", "holds"), ("u v > 0", "1 \\ge u, v > 0", "holds"),
+                ("u v \\le 1, \\quad 0 \\le u, v \\le 1", "n = 1", "holds"), ("0 \\le u, v \\le 1 \\Rightarrow u v \\le 1", "n = 1", "holds"), (r"u v \le 1 \text{ if } 0 \le u, v \le 1", "n = 1", "holds"),
+                (r"u v x \le 1 \text{ if } 0 \le u, v, x \le 1", "n = 1", "holds"), (r"u v x \ge 0 \text{ if } u, v, x \ge 0", "n = 1", "holds"), (r"u v x > 0 \text{ if } u, v, x \ge 0", "n = 1", "fails"),
+                ("u v x > 0", "u, v, x > 0", "holds"), (r"\omega_1 + \omega_2 > 2", r"\omega_1, \omega_2 > 1", "holds"), (r"\omega_1 + \omega_3 > 2", r"\omega_1, \omega_2 > 1", "fails"),
+                ("i + j \\le 2 n", "n = 1..3, 0 \\le i, j \\le n", "holds"), (r"u + v < 2 x \text{ if } u < x, v < x", "n = 1", "holds"), ("u < y \\text{ if } u < x, x < y", "n = 1", "holds"),
+                (r"\omega_0 + \omega_2 = 2", r"\omega_0 = \omega_2 = 1", "holds"), (r"\omega_0 + \omega_1 = 2", r"\omega_0 = \omega_2 = 1", "fails"),
+                (r"\forall t \in [0,1]: t(1-t) \ge 0", "n = 1", "holds"), (r"\forall t \in [0,1]: t(1-t) > 0", "n = 1", "fails"), (r"\forall u, v \in [0,1]: u v \le 1", "n = 1", "holds")):
+            with self.subTest(printed=printed, ranges=ranges):
+                self.assertEqual(verdict(printed, ranges, "t \\in \\mathbb{R}\n")["verdict"], expected)
+        self.assertEqual(verdict("u v \\le 1, \\quad 0 \\le u, v \\le 1", "n = 1")["scope"].count("0 ≤ u, v ≤ 1"), 1)
+
+    def test_derivatives_by_names_with_an_index(self):
+        let = "R^m(t) = \\frac{\\sum_{i=0}^m \\omega_i x_i B_i^m(t)}{\\sum_{i=0}^m \\omega_i B_i^m(t)}\nS^m(t) = \\sum_{i=0}^m \\omega_i B_i^m(t)\n"
+        for printed, expected in (
+                (r"\frac{\partial R^n(t)}{\partial \omega_j} = \frac{B_j^n(t)}{S^n(t)} (x_j - R^n(t))", "holds"), (r"\frac{\partial R^n(t)}{\partial \omega_j} = \frac{\omega_j B_j^n(t)}{S^n(t)} (x_j - R^n(t))", "fails"),
+                (r"\frac{\partial}{\partial x_j} R^n(t) = \frac{\omega_j B_j^n(t)}{S^n(t)}", "holds"), (r"\frac{\partial^2}{\partial \omega_0^2} \omega_0^2 \omega_1 = 2 \omega_1", "holds"),
+                (r"\frac{\partial^2 S^n(t)}{\partial \omega_0 \partial t} = {B_0^n}'(t)", "holds"), (r"\frac{\partial^2 R^1(t)}{\partial \omega_0 \partial x_1} = -\frac{\omega_1 t (1-t)}{S^1(t)^2}", "holds"),
+                (r"\frac{\partial}{\partial \omega_j} \sum_{i=0}^n \omega_i^2 = 2 \omega_j", "holds"), (r"\frac{\partial}{\partial \omega_j} \sum_{i=0}^n \omega_i^2 = 2 \omega_0", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1..2, j = 0..n", let)["verdict"], expected)
+
+    def test_pi_times_a_number(self):
+        """In an angle a number can stand that is no angle itself, as in sin (pi t/2) for 0 <= t <= 1; then it stands in angles alone."""
+        let = ("q_0(t) = (1 - \\sin\\frac{\\pi t}{2})(1 - m \\sin\\frac{\\pi t}{2})\nq_1(t) = 1 - q_0(t) - q_2(t)\nq_2(t) = (1 - \\cos\\frac{\\pi t}{2})(1 - k \\cos\\frac{\\pi t}{2})\n"
+               "h(t) = \\sin(\\frac{\\pi}{2} t)\nt \\in [0,1]\nm, k \\in [-1, 1]\n")
+        for printed, ranges, expected in (
+                (r"\sum_{i=0}^2 q_i(t) = 1", "n = 1", "holds"), (r"q_i(t) \ge 0", "i = 0..2", "holds"), (r"q_1(t) \ge 0", r"m \in [-2, 1]", "fails"), (r"q_0(0) = q_2(1) = 1", "n = 1", "holds"),
+                (r"q_0(1/2) = (1 - \frac{\sqrt 2}{2})(1 - m\frac{\sqrt 2}{2})", "n = 1", "holds"), (r"h(1-t) = \cos\frac{\pi t}{2}", "n = 1", "holds"), (r"h(1-t) = \sin\frac{\pi t}{2}", "n = 1", "fails"),
+                (r"\sin(\pi t) \ge 0", "n = 1", "holds"), (r"\cos(\pi t) \ge 0", "n = 1", "fails"), (r"\sin(\pi t) = 2 h(t) \cos(\frac{\pi}{2} t)", "n = 1", "holds"),
+                (r"\cos\frac{\pi t}{2} \ge \frac{\sqrt 2}{2}", r"0 \le t \le 1/2", "holds"), (r"\cos\frac{\pi t}{2} \ge \frac{\sqrt 2}{2}", r"0 \le t \le 2/3", "fails"),
+                (r"\sin(\pi x + \pi) = -\sin(\pi x)", "n = 1", "holds"), (r"\sin(\pi t) \ge t", "n = 1", "undecided"), (r"\sin(\pi t) \ge \sin t", "n = 1", "undecided"), (r"h'(0) = 1", "n = 1", "undecided"),
+                (r"\sin\frac12 x = \sin\frac x2", "n = 1", "holds")):
+            with self.subTest(printed=printed, ranges=ranges):
+                self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+
+    def test_bounds_stand_behind_the_formulas(self):
+        """In a block the bounds of a parameter may come last; where the lines are in order nothing changes."""
+        block = "q_0(t) = (1-t)^2 (1 - \\lambda_1 t)\nt \\in [0,1]\n\\lambda_1 \\le 1\n"
+        self.assertEqual(check_standard("q_0(t) \\ge 0", "n = 1", block)["verdict"], "holds")
+        self.assertEqual(check_standard("q_0(t) \\ge 0", "\\lambda_1 \\le 2", block)["verdict"], "fails")
+        r = check(document("x = x", "n = 1", "q(t) = h t\n0 \\le t \\le h\nh = 1/2\n"))
+        self.assertIn("h is not defined", r.stderr)
+
+    def test_conditions_of_definitions(self):
+        let = "q_{i,k}(t) = 0, \\quad i < 0 \\text{ or } i > k\nq_{0,0}(t) = 1\nq_{i,k}(t) = (1-t) q_{i,k-1}(t) + t q_{i-1,k-1}(t) \\quad (k \\ge 1)\n"
+        self.assertEqual(verdict("q_{i,n}(t) = B_i^n(t)", "n = 0..4, i = 0..n", let)["verdict"], "holds")
+        self.assertEqual(verdict("q_{i,n}(t) = B_i^n(1-t)", "n = 0..4, i = 0..n", let)["verdict"], "fails")
+        self.assertEqual(verdict(r"\binom{n}{k} \ge n", r"n = 2..6, 1 \le k \le n-1")["verdict"], "holds")
+        self.assertEqual(verdict(r"\binom{n}{k} > n", r"n = 2..6, 1 \le k \le n-1")["verdict"], "fails")
+        for name, first in ((r"\mathbb{Z}^+", 1), (r"\mathbb{N}^*", 1), (r"\mathbb{N}^{+}", 1), (r"\mathbb{N}_0", 0), (r"\mathbb{N}", 0)):
+            self.assertEqual(verdict("m \\ge 1", f"m \\in {name}")["verdict"], "holds" if first else "fails", name)
+
+    def test_numbers_of_five_names_are_found(self):
+        """Monotone cubics: of the slopes 4 times the chord is too much; what is supposed ties the names, and most numbers are not within it."""
+        let = "h(t) = x (1-t)^2 (1+2t) + y t^2 (3-2t) + u t (1-t)^2 - v t^2 (1-t)\n"
+        s = verdict("0 \\le u \\le 4(y-x), 0 \\le v \\le 4(y-x) \\Rightarrow h'(t) \\ge 0", "0 \\le t \\le 1", let)
+        self.assertEqual(s["verdict"], "fails")
+
     def test_what_is_taken_over_several_indices(self):
         for printed, ranges, expected in (
                 ("\\sum_{i+j=n} x^i y^j = \\sum_{i=0}^n x^i y^{n-i}", "n = 0..3", "holds"), ("\\sum_{i+j=n} x^i y^j = \\sum_{i=0}^n x^i y^i", "n = 0..3", "fails"),

@@ -241,6 +241,11 @@ class Mistakes(unittest.TestCase):
                 marks = lines[2] if len(lines) > 2 and lines[2].strip().startswith("^") else ""
                 self.assertEqual(lines[0].replace("cagd: standard input:", "") + "\t" + (lines[1][marks.index("^"):len(marks)] if marks else ""), line)
 
+    def test_commands_of_the_author_in_comments(self):
+        text = source("\\newcommand{\\Reals}{\\mathbb{R}}\\newcommand{\\bern}[2]{\\beta_{#1}^{#2}}\n% cagd: let z_i \\in \\Reals^2\n% cagd: let \\bern{i}{n}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n"
+                      "\\begin{equation}\\label{a} \\sum_{i=0}^n \\bern{i}{n}(x) (z_i - z_i) = \\mathbf{0} % cagd: for n = 1..3\n\\end{equation}")
+        self.assertEqual([s["verdict"] for s in statements(text)], ["holds"])
+
     def test_what_nobody_asked_for_is_left_out_and_told(self):
         text = source("\\begin{equation}\\label{a} x = x \\end{equation}\n\\begin{equation}\\label{b} \\Psi = x \\end{equation}")
         r = check(text, "--json")
