@@ -23,7 +23,6 @@ base angle $\angle R_1R_0R_2$ in its derivation.
 :confirmed-by: arcs_satisfy_the_three_equations
 :needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; otherwise the central angle may be $2\pi-2\theta$.
-:reading: arc_and_its_central_angle | $\theta$ is the base angle of the triangle.
 :figure: circular_arc
 
 If: $B=0$ and $A=C$ say that $x_1=0$ and $\omega^2=\frac{l^2}{l^2+y_1^2}$, and this is the arc of `arc_and_its_central_angle`.  Only if: a curve on a circle has
@@ -361,7 +360,9 @@ a quantity has been lost: none of them says how high the triangle is.
 :meant: the theorem itself, which names $\theta$ and $l$ as given numbers and says that three equations suffice | $\theta$ is any angle between 0 and $\frac\pi2$.
 :reading: isosceles_triangle_with_another_angle | $\theta$ is any angle that satisfies the three equations, as the theorem
   has it, or $\arccos\sqrt{I_1}$; nothing ties the height of the triangle to it
-:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation
+:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation | With $l$ half the base and $\theta$ the base angle the claim is that the equations
+  suffice.  That they are necessary is `curve_on_a_circle_has_five_conditions`: of an arc $R_0R_1$ and $R_2R_1$ are tangents, equally long, and
+  $4\omega_1^2\|R_0R_1\|^2=\omega_0\omega_2\|R_0R_2\|^2$, which is $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
 :striking: 2
 :figure: circular_arc_extra
 

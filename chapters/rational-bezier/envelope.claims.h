@@ -214,8 +214,10 @@ CLAIM(member_shrinks_at_a_cusp)
 :zh: r 与 n 的取值范围
 :printed: The theorem is about degree $n\ge2$ and the levels $r=1,2,\dots,n-1$.
 :definition: yes
-:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :confirmed-by: extreme_levels_are_curve_and_point
+:needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+  positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
 
 A range is set, not claimed.  What is checked is that it leaves out what is no family of curves: for $r=0$ every member is the curve itself, for $r=n$ a point of
 it, and for $n=1$ nothing is left.

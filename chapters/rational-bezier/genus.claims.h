@@ -487,7 +487,8 @@ the list of singular points is found by elimination and not taken on trust.
   three points $P$ in homogeneous coordinates, and an abscissa $x$; parts over $x$ are the factors with points there
 :then: the singular points are exactly the three nodes $P$, so $g=0$; but a rational curve lies on one of the two factors
 :method: The singular points are counted by elimination.  If $F=fg$ vanishes on a rational curve, $f(R(t))g(R(t))=0$ for all $t$, so
-  one factor vanishes on it; the other has points of its own, such as those over $x$, which are looked at.  Compared
+  one factor vanishes on it; the other has points of its own, such as those over $x$, which are looked at.  Nor is an arc of the cubic rational, by
+  `rational_cubic_has_one_double_point` and Lüroth's theorem, which is cited: all singular points of $F$ are nodes on the line, so it has none.  Compared
   is: $g=0$ exactly if the curve is rational.
 :control: the cubic by itself, whose count is 1
 :::

@@ -93,9 +93,9 @@ the half line and its end: what goes wrong further on goes wrong there.
 :zh: 参数变换及其逆
 :printed: t=\frac{au+b}{u+1},\ 0\le u\le+\infty;\qquad u=\frac{b-t}{t-a},\ a\le t\le b
 :holds-by: parameter_change_and_its_inverse
-:needs: parameter_change_needs_two_ends | (3.4.3), which is written for an interval $[a,b]$ | u ≥ 0 and a < t ≤ b: for $a=b$ the interval is a point
+:needs: parameter_change_needs_two_ends | (3.4.3), which is written for an interval $[a,b]$ | $a<b$: for $a=b$ the interval is a point
 
-$t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the value $u=+\infty$ stands for $t=a$.
+$t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the value $u=+\infty$ stands for $t=a$, where the second formula divides by 0.
 :::
 
 :::{claim} parameter_change_and_its_inverse
@@ -644,12 +644,12 @@ determinant is identically 0.
   elevation_multiplies_by_one_plus_u
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$ its first column is 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
-:hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, $u=\infty$
-  included (no base point); else $F$ is 0 for all $(x,y)$
-:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
-  are positive; with $\omega_0=0$ the first column vanishes
+:hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, real or complex; else $F$ is 0
+  for all $(x,y)$
+:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$; with $\omega_0=0$ the first
+  column vanishes, and $u=\infty$ is a common zero
 :needs: space_curve_and_its_shadow | the theorem, in which the $\mathbf R_i$ are coplanar | the curve is plane; for a curve of
-  space $F=0$ may hold beside the curve
+  space $F=0$ is the equation of a projection, and holds at points that belong to no parameter, as in the example
 :meant: the proof, which shows that $F$ is 0 at the points of the curve, and the word equation | Every point of the curve satisfies $F=0$, and this is an equation: $F$ is not the zero polynomial.
 :reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs none of the hypotheses on weights and common zeros | At such a
   point, other than $\mathbf R_0$, the sums of (3.4.5) are 0; a square matrix that takes a vector that is not 0 to 0 has the determinant 0.  At
@@ -658,7 +658,7 @@ determinant is identically 0.
   be one
 :figure: implicit_elevation
 
-That $F$ is 0 where there is a common zero is, for $n=1$ to 6, `common_zero_makes_the_equation_vanish`; that elevated curves have one,
+No common zero and $\omega_0\ne0$ together say that there is no base point, $u=\infty$ included.  That $F$ is 0 where there is a common zero is, for $n=1$ to 6, `common_zero_makes_the_equation_vanish`; that elevated curves have one,
 `elevation_multiplies_by_one_plus_u`.  The curve of space is drawn in `implicit_shadow`.
 :::
 

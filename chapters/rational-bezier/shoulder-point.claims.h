@@ -98,6 +98,7 @@ $\omega$ has to be said, and a print that does not say it can be read either way
 :printed: The point $R_s$ lies just on the median of the base of $\triangle R_1R_0R_2$, and this median is divided by the curve into two parts
   in the ratio $1:\omega$.
 :holds-by: curve_divides_the_median
+:needs: flat_triangle_may_have_no_median | the sentence, which names the triangle and its median | $R_0$, $R_1$, $R_2$ do not lie on a line.
 :needs: negative_weight_leaves_the_median | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: so $\omega>0$.
 :meant: corollary 3.5.1, which names the parts | The parts are taken from the vertex.
@@ -149,6 +150,33 @@ static void G(middle_of_the_chord)(const num R[], num M[])
 {
     for (int c = 0; c < 2; c++)
         M[c] = mul(from_ratio(1, 2), add(R[c], R[4 + c]));
+}
+
+/*
+:::{claim} flat_triangle_may_have_no_median
+:title: With the vertex in the middle of the base the median is a point
+:zh: 顶点在底边中点时中线退化为一点
+:kind: counterexample
+:data: R = (-1,0) (0,0) (1,0); ω = 1 1/2 1
+:instead: R = (-1,0) (0,1) (1,0)
+:result: M = (0,0); R_s = (0,0)
+:given: three points $R$ of a line, $R_1$ in the middle of $R_0R_2$, and standard weights with $0<\omega_1<1$
+:then: $R_1=R_s=M$: both parts have the length 0, and no ratio
+:method: The points are computed; that $R_1$ differs from $M$ is what is compared.
+:control: $R_1$ moved off the line
+:::
+*/
+CLAIM(flat_triangle_may_have_no_median)
+{
+    num R[6], w[3], M[2], P[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    G(middle_of_the_chord)(R, M);
+    G(conic_shoulder_point)(R, w, P);
+    found_points(T, "M", 1, 2, M);
+    found_points(T, "R_s", 1, 2, P);
+    about(T, "whether the median has a length");
+    refute(T, equal_q(R[2], M[0]) && equal_q(R[3], M[1]));
 }
 
 /*

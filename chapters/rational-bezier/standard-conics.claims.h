@@ -16,6 +16,9 @@ and gives them simple weights, by a change of the parameter.
 :printed: A special coordinate system is taken in which $R_0=(-l,0)$, $R_1=(x_1,y_1)$, $R_2=(l,0)$; by the geometric
   invariance it suffices to determine the class of the curve there.
 :holds-by: special_coordinates_exist kind_in_any_coordinates directions_at_infinity
+:needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on
+  a line: else there is no class to be determined.
+:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | no weight is 0; as for positive weights.
 :::
 
 :::{claim} special_coordinates_exist
@@ -197,6 +200,8 @@ CLAIM(roots_over_the_parameter_are_wrong)
 :holds-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
 :needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive.
+
+The change of parameter is (3.5.1) as corrected; with the roots as printed there the curve does not become this one.
 :::
 
 :::{claim} negative_weights_lose_their_sign
@@ -240,7 +245,7 @@ are to be changed first.
 :printed: By theorem 3.2.1 the shape of this curve is the same as that of (3.1.5).
 :holds-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
 :needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
-  positive.
+  positive: else it may be the other arc; in the example $R(u)$ is below the base, where the arc of the positive standard weights has no point.
 
 What is used of theorem 3.2.1 is that equal invariants suffice, property 3.2.10.  That direction asks nothing of the
 points, so it also serves where they lie on a line and the theorem says nothing.
