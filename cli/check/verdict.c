@@ -123,18 +123,19 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
             v = v->next;
         int named = 0;
         for (int k = 0; k < f->names; k++)
-            named |= is_of(f->name[k], v->head);
-        if (!named || cagd_declared(&s->scope, v->head) != v)
+            named |= v->key != NULL ? strcmp(f->name[k], v->key) == 0 : is_of(f->name[k], v->head);
+        if (!named || (v->key != NULL ? cagd_declared_alone(&s->scope, v->key) : cagd_declared(&s->scope, v->head)) != v)
             continue;
+        const char *name = v->key != NULL ? v->key : append(v->head, "%s", v->lower > 0 ? "i" : "");
         int bounded = f->bounded && (v->low != NULL || v->high != NULL);
         if (!bounded)
-            text = append(text, "%sall $%s%s$", comma, v->head, v->lower > 0 ? "i" : "");
+            text = append(text, "%sall $%s$", comma, name);
         else
-            text = append(text, "%s$%s%s%s%s%s%s$", comma, source(d, v->low),
+            text = append(text, "%s$%s%s%s%s%s$", comma, source(d, v->low),
                           v->low == NULL ? ""
                           : v->low_open  ? " < "
                                          : " \\le ",
-                          v->head, v->lower > 0 ? "i" : "",
+                          name,
                           v->high == NULL ? ""
                           : v->high_open  ? " < "
                                           : " \\le ",

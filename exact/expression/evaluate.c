@@ -123,7 +123,8 @@ static cagd_value unknown(cagd_context *c, const cagd_tree *t, const char *key, 
     num_f x = variable_f(name);
     b->value = (cagd_value){.f = x};
     b->unknown = 1, b->number = cagd_field_variable_f(x);
-    b->variable = v;
+    const cagd_variable *alone = cagd_declared_alone(c->scope, key);
+    b->variable = alone != NULL ? alone : v;
     find_bounds(c, b);
     return b->value;
 }

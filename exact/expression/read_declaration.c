@@ -86,6 +86,9 @@ static int is_left_side(cagd_reader *r, const cagd_tree *left, int may_repeat)
     return 1;
 }
 
+/* "=", or ":=". */
+static int is_equal_sign(const cagd_token *t) { return strcmp(t->word, "=") == 0 || strcmp(t->word, ":=") == 0; }
+
 /* Whether a function with its arguments and "=" come next: another definition. */
 static int next_definition(const cagd_reader *r)
 {
@@ -93,11 +96,11 @@ static int next_definition(const cagd_reader *r)
     int depth = 0, has_arguments = 0;
     if (!cagd_begins_name(r))
         return 0;
-    for (; t->kind != CAGD_TOKEN_END && (depth > 0 || strchr("=<>,", t->word[0]) == NULL); t++) {
+    for (; t->kind != CAGD_TOKEN_END && (depth > 0 || strchr("=<>,:", t->word[0]) == NULL); t++) {
         depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
         has_arguments |= strcmp(t->word, "(") == 0;
     }
-    return has_arguments && strcmp(t->word, "=") == 0 && strcmp(t[-1].word, ")") == 0;
+    return has_arguments && is_equal_sign(t) && strcmp(t[-1].word, ")") == 0;
 }
 
 /* i = 0, 1, \dots, n as a condition: 0 \le i \le n. */
@@ -155,9 +158,12 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
     int read = body != NULL;
     if (read) {
         d->body = body, d->dimension = body->dimension;
-        if (cagd_pass(r, ",") || cagd_next_is(r, "\\text")) {
+        int bracket = cagd_is_truth_in_brackets(r); /* f(t) = t^2 \quad (0 \le t \le 1) */
+        if (cagd_pass(r, ",") || cagd_next_is(r, "\\text") || bracket) {
             cagd_read_words(r);
-            read = r->token->kind == CAGD_TOKEN_END || next_definition(r) || (d->when = condition(r)) != NULL;
+            bracket = cagd_is_truth_in_brackets(r) && cagd_pass(r, "(");
+            read = r->token->kind == CAGD_TOKEN_END || next_definition(r) ||
+                   ((d->when = condition(r)) != NULL && (!bracket || cagd_expect(r, ")", "the condition")));
         }
     }
     r->bound = outside;
@@ -174,7 +180,7 @@ static int definition(cagd_reader *r, cagd_scope *scope)
     if (left->kind != CAGD_NAME)
         return cagd_refuse_tree(r, left, "the left side of a definition is a name with its indices and arguments") !=
                NULL;
-    if (!is_left_side(r, left, 1) || !cagd_expect(r, "=", "the left side"))
+    if (!is_left_side(r, left, 1) || (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
         return 0;
     if (!right_side(r, scope, left))
         return 0;
@@ -183,15 +189,16 @@ static int definition(cagd_reader *r, cagd_scope *scope)
 
 static int is_zero_over_zero(const cagd_token *t)
 {
-    static const char *const written[][12] = {{"0", "/", "0", "=", "0", "", NULL},
-                                              {"\\frac", "{", "0", "}", "{", "0", "}", "=", "0", "", NULL},
-                                              {"\\frac", "00", "=", "0", "", NULL}};
+    static const char *const written[][8] = {{"0", "/", "0", NULL},
+                                             {"\\frac", "{", "0", "}", "{", "0", "}", NULL},
+                                             {"\\frac", "00", NULL}};
     for (int k = 0; k < 3; k++) {
         int m = 0;
         while (written[k][m] != NULL && strcmp(t[m].word, written[k][m]) == 0)
             m++;
-        if (written[k][m] == NULL)
-            return 1;
+        if (written[k][m] == NULL && is_equal_sign(t + m) && strcmp(t[m + 1].word, "0") == 0) /* words may follow */
+            return t[m + 2].kind == CAGD_TOKEN_END || strchr(".,;", t[m + 2].word[0]) != NULL ||
+                   strcmp(t[m + 2].word, "\\text") == 0;
     }
     return 0;
 }
@@ -207,10 +214,10 @@ static int is_definition(const cagd_token *t)
             (strcmp(t->word, "\\in") == 0 || strchr("<>", t->word[0]) != NULL || strcmp(t->word, "\\le") == 0 ||
              strcmp(t->word, "\\ge") == 0 || strcmp(t->word, "\\ne") == 0))
             return 0;
-        if (depth == 0 && strcmp(t->word, "=") == 0)
+        if (depth == 0 && is_equal_sign(t))
             break;
     }
-    if (t > first + 1) /* the name of a range is a letter */
+    if (t > first + 1 || strcmp(t->word, ":=") == 0) /* the name of a range is a letter */
         return 1;
     for (int inner = 0; t->kind != CAGD_TOKEN_END; t++) {
         inner += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
@@ -276,11 +283,37 @@ static int dimension(cagd_reader *r, cagd_variable *v)
     return !braces || cagd_expect(r, "}", "the dimension");
 }
 
-/* Behind \in: \mathbb{R}, \mathbb{N}, [a,b], (a,b). */
+static int dots(cagd_reader *r, const cagd_tree **high);
+static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first);
+
+/* ℕ, or \{0, \dots, n\}. */
+static int whole_numbers(cagd_reader *r, cagd_variable *v)
+{
+    v->whole = 1;
+    v->low = cagd_tree_number(0, r->token->from, r->token->to);
+    if (cagd_pass(r, "\\N"))
+        return 1;
+    r->token++;
+    r->ends++;
+    v->low = cagd_read_sum(r);
+    r->ends--;
+    if (v->low == NULL)
+        return 0;
+    int has_dots = dots(r, &v->high);
+    if (has_dots == 0)
+        v->high = listed(r, v->low);
+    if (has_dots >= 0 && v->high == NULL)
+        return cagd_refuse_token(r, "expected whole numbers one behind another, such as \\{0, 1, 2\\} or \\{0, \\dots, n\\}") != NULL;
+    return has_dots >= 0 && cagd_expect(r, "\\}", "the numbers");
+}
+
+/* Behind \in: \mathbb{R}, \mathbb{N}, [a,b], (a,b), \{0, \dots, n\}. */
 static int set(cagd_reader *r, cagd_variable *v)
 {
     if (cagd_pass(r, "\\R"))
-        return 1;
+        return dimension(r, v);
+    if (cagd_next_is(r, "\\N") || cagd_next_is(r, "\\{"))
+        return whole_numbers(r, v);
     if (cagd_pass(r, "\\mathbb")) {
         int braces = cagd_pass(r, "{");
         if (!cagd_next_is(r, "R") && !cagd_next_is(r, "N"))
@@ -302,15 +335,28 @@ static int set(cagd_reader *r, cagd_variable *v)
     return cagd_pass(r, ")") || cagd_expect(r, "]", "the interval");
 }
 
-/* x, y, P_i \in SET.  -1: it is no such thing. */
-static int elements(cagd_reader *r, cagd_scope *scope)
+static int has_number(const cagd_tree *name);
+static const cagd_tree *for_every_index(cagd_reader *r, const cagd_tree *t);
+
+static int has_number(const cagd_tree *name);
+static const char *key_of(const cagd_tree *name);
+static int refuse_all_behind_one(cagd_reader *r, const cagd_scope *scope, const cagd_tree *name);
+
+/* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma. */
+static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *listed)
 {
     const cagd_tree *name[CAGD_MOST_CHILDREN];
     struct place start = here(r);
     int count = 0;
     do {
-        if (count == CAGD_MOST_CHILDREN || (name[count++] = declared_name(r)) == NULL)
+        if (count > 0 && cagd_pass(r, "\\dots") && !cagd_pass(r, ","))
             return back(r, start) - 1;
+        if (count == CAGD_MOST_CHILDREN || (name[count++] = declared_name(r)) == NULL) {
+            if (count > 1 && !cagd_begins_name(r))
+                cagd_refuse_token(r, "expected a name, not %s", cagd_name_of_next(r));
+            *listed = count > 1 ? *r->error : (cagd_reading_error){0};
+            return back(r, start) - 1;
+        }
     } while (cagd_pass(r, ","));
     if (!cagd_pass(r, "\\in"))
         return back(r, start) - 1;
@@ -330,6 +376,14 @@ static int elements(cagd_reader *r, cagd_scope *scope)
         cagd_variable w = v;
         if (v.whole && before != NULL && before->low != NULL) /* n \ge 1, n \in \mathbb{N} */
             w = *before, w.whole = 1;
+        if ((v.low != NULL || v.high != NULL) && !v.whole && name[k]->lower + name[k]->upper > 0) { /* w_0 \in [0,1], or w_i */
+            w.key = key_of(name[k]);
+            if (w.key == NULL && has_number(name[k]))
+                return cagd_refuse_tree(r, name[k], "some of the names of a kind: write it as a condition, such as 0 \\le w_{i,0} \\le 1") != NULL;
+            if (w.key == NULL ? !refuse_all_behind_one(r, scope, name[k])
+                              : before == NULL && !declare(r, scope, name[k], (cagd_variable){0}))
+                return 0;
+        }
         if (!declare(r, scope, name[k], w))
             return 0;
     }
@@ -374,7 +428,8 @@ static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first)
         const cagd_token *t = r->token + 1;
         char next[24];
         snprintf(next, sizeof next, "%ld", before + 1);
-        if (strcmp(t->word, next) != 0 || (t[1].kind != CAGD_TOKEN_END && strcmp(t[1].word, ",") != 0))
+        if (strcmp(t->word, next) != 0 ||
+            (t[1].kind != CAGD_TOKEN_END && strcmp(t[1].word, ",") != 0 && strcmp(t[1].word, "\\}") != 0))
             break;
         r->token += 2;
         last = cagd_tree_number(before + 1, t->from, t->to);
@@ -382,18 +437,42 @@ static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first)
     return last;
 }
 
-/* i = 0, \dots, n; i = 0, 1, 2; or n = 3, which is a definition.  -1: it is no such thing. */
+/* 0(1)n, the whole numbers from 0 to n. */
+enum { STEPS = 4 };
+static int steps_of_one(const cagd_token *t)
+{
+    return (t->kind == CAGD_TOKEN_NUMBER || t->kind == CAGD_TOKEN_LETTER) && strcmp(t[1].word, "(") == 0 &&
+           strcmp(t[2].word, "1") == 0 && strcmp(t[STEPS - 1].word, ")") == 0 &&
+           (t[STEPS].kind == CAGD_TOKEN_NUMBER || t[STEPS].kind == CAGD_TOKEN_LETTER);
+}
+static const cagd_tree *lowest(cagd_reader *r, const cagd_token *t)
+{
+    const cagd_token *here = r->token;
+    r->token = t;
+    const cagd_tree *low = cagd_read_argument(r, 1);
+    r->token = here;
+    return low;
+}
+
+/* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
 static int numbers(cagd_reader *r, cagd_scope *scope)
 {
     struct place start = here(r);
     const cagd_tree *name = declared_name(r);
     if (name == NULL || !cagd_pass(r, "="))
         return back(r, start) - 1;
+    const cagd_token *low = r->token;
     r->ends++;
     cagd_variable v = {.whole = 1, .low = cagd_read_sum(r)};
     r->ends--;
     if (v.low == NULL)
         return 0;
+    if (steps_of_one(low)) { /* i = 0(1)n */
+        r->token = low + STEPS;
+        v.low = lowest(r, low);
+        v.high = cagd_read_sum(r);
+        return v.low != NULL && v.high != NULL && declare(r, scope, name, v);
+    }
     int has_dots = dots(r, &v.high);
     if (has_dots < 0)
         return 0;
@@ -411,8 +490,55 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
 
 struct piece {
     const cagd_tree *tree;
-    int alone; /* a name that is no whole number and nothing defined: 1; a whole number: -1 */
+    int alone; /* a name that is no whole number and nothing defined: 1; a whole number: -1; w_{i,0}, some of the names of a kind: 0 */
 };
+
+/* w_0 is one of the w_i: what is said of it is not said of the others. */
+static int has_number(const cagd_tree *name)
+{
+    for (int k = 0; k < name->lower + name->upper; k++)
+        if (name->at[k]->kind == CAGD_NUMBER)
+            return 1;
+    return 0;
+}
+
+/* The name with its numbers, "w_0", as it is known when it has a value (cagd_key_of); NULL where some index is no number. */
+static const char *key_of(const cagd_tree *name)
+{
+    enum { LONGEST = 90 };
+    char key[LONGEST];
+    int used = snprintf(key, sizeof key, "%s", name->head);
+    for (int k = 0; k < name->lower + name->upper && used < LONGEST; k++) {
+        const cagd_tree *t = name->at[k];
+        if (t->kind != CAGD_NUMBER || !cagd_is_whole_q(t->number))
+            return NULL;
+        int first = k == 0 || k == name->lower, group = k < name->lower ? name->lower : name->upper,
+            last = k + 1 == name->lower || k + 1 == name->lower + name->upper;
+        const char *digits = to_string_q(t->number);
+        int braces = group > 1 || strlen(digits) > 1;
+        used += snprintf(key + used, (size_t)(LONGEST - used), "%s%s%s%s", !first ? "," : k < name->lower ? "" : "^",
+                         first && braces ? "{" : "", digits, last && braces ? "}" : "");
+    }
+    return used < LONGEST && name->lower + name->upper > 0 ? cagd_text_of(key, used) : NULL;
+}
+
+/* What is known of the name: of itself alone, or of all of its kind. */
+static const cagd_variable *known_of(const cagd_scope *scope, const cagd_tree *name)
+{
+    const char *key = key_of(name);
+    const cagd_variable *alone = key != NULL ? cagd_declared_alone(scope, key) : NULL;
+    return alone != NULL ? alone : cagd_declared(scope, name->head);
+}
+
+/* Bounds of all w_i behind those of w_0 would not reach that one. */
+static int refuse_all_behind_one(cagd_reader *r, const cagd_scope *scope, const cagd_tree *name)
+{
+    for (const cagd_variable *v = scope->variables; v != NULL; v = v->next)
+        if (v->key != NULL && strcmp(v->head, name->head) == 0)
+            return cagd_refuse_tree(r, name, "of %s something was said before: say what holds for all of them first",
+                                    v->key) != NULL;
+    return 1;
+}
 
 /* A member of a chain of relations: a name by itself, which need not be known, or a value. */
 static int piece(cagd_reader *r, struct piece *p)
@@ -425,6 +551,7 @@ static int piece(cagd_reader *r, struct piece *p)
         const cagd_variable *v = cagd_declared(r->scope, name->head);
         int is_pi = v == NULL && strcmp(name->head, "\\pi") == 0;
         *p = (struct piece){name, is_pi || cagd_defined(r->scope, name->head) != NULL ? 0
+                                  : has_number(name) && key_of(name) == NULL          ? 0
                                   : v != NULL && v->whole                             ? -1
                                                                                       : 1};
         return 1;
@@ -493,6 +620,8 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     do {
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_INDICES - 1) != NULL;
+        if (count > 0 && cagd_next_is(r, "\\dots"))
+            return cagd_refuse_token(r, "what is left out? of every index it is said as u_i \\le u_{i+1}") != NULL;
         if (!piece(r, &p[count]))
             return 0;
         which = p[count].alone > 0 || (p[count].alone < 0 && alone == 0) ? count : which;
@@ -504,8 +633,9 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     if (cagd_changes_direction(relation, count - 1))
         return cagd_refuse_token(r, "a chain with < and >: put a comma between two ranges") != NULL;
     for (int k = 0; k < count; k++) {
-        if (p[k].alone > 0 && cagd_declared(scope, p[k].tree->head) == NULL &&
-            !declare(r, scope, p[k].tree, (cagd_variable){0}))
+        const cagd_tree *t = p[k].tree;
+        int is_name = p[k].alone > 0 || (t->kind == CAGD_NAME && has_number(t) && cagd_defined(scope, t->head) == NULL);
+        if (is_name && cagd_declared(scope, t->head) == NULL && !declare(r, scope, t, (cagd_variable){0}))
             return 0;
         some_index |= p[k].alone == 0 && letter_without_meaning(r, p[k].tree, NULL, 0) != NULL;
         up &= k + 1 == count || is_less(relation[k]);
@@ -513,8 +643,11 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     }
     if (!some_index && (alone == 1 || (alone == 0 && whole == 1)) && count <= 3 && (up || down) &&
         (count == 2 || which == 1)) {
-        cagd_variable v = *cagd_declared(scope, p[which].tree->head);
-        const cagd_variable *old = cagd_declared(before, v.head);
+        cagd_variable v = *known_of(scope, p[which].tree);
+        const cagd_variable *old = known_of(before, p[which].tree);
+        v.key = key_of(p[which].tree);
+        if (v.key == NULL && !refuse_all_behind_one(r, scope, p[which].tree))
+            return 0;
         int replaces = 1;
         for (int k = 0; k < count; k++) {
             if (k == which)
@@ -538,16 +671,76 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     return t != NULL && (t = for_every_index(r, t)) != NULL && cagd_suppose(scope, t);
 }
 
+/* The end of what is said at t: a comma, or words, outside of brackets. */
+static const cagd_token *end_of_said(const cagd_token *t)
+{
+    for (int depth = 0; t->kind != CAGD_TOKEN_END; t++) {
+        if (depth == 0 && (strchr(",;", t->word[0]) != NULL || strcmp(t->word, "\\text") == 0))
+            break;
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+    }
+    return t;
+}
+
+/* What is said of several names, name[0] to name[count - 1], is said of each: `head` tokens before them, and those from name[count] to `end`. */
+static int chains(cagd_reader *r, cagd_scope *scope, const cagd_scope *before, const cagd_token *const name[], int count,
+                  const cagd_token *head, const cagd_token *end)
+{
+    int heads = (int)(name[0] - head), tails = (int)(end - name[count]);
+    for (int k = 0; k < count; k++) {
+        int names = (int)(name[k + 1] - name[k]) - (k + 1 < count);
+        cagd_token *one = cagd_region_array(heads + names + tails + 1, 1, sizeof *one);
+        if (one == NULL)
+            return 0;
+        memcpy(one, head, (size_t)heads * sizeof *one);
+        memcpy(one + heads, name[k], (size_t)names * sizeof *one);
+        memcpy(one + heads + names, name[count], (size_t)tails * sizeof *one);
+        one[heads + names + tails] = (cagd_token){.kind = CAGD_TOKEN_END, .word = "", .from = end->from, .to = end->from};
+        r->token = one;
+        if (!chain(r, scope, before))
+            return 0;
+        if (r->token->kind != CAGD_TOKEN_END)
+            return cagd_refuse_token(r, "expected a comma or the end, not %s", cagd_name_of_next(r)) != NULL;
+    }
+    r->token = end;
+    return 1;
+}
+
+/* a, b \ge 0 and 0 \le a, b \le 1: the same of each of the names.  -1: it is no such thing. */
+static int several(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
+{
+    const cagd_token *name[CAGD_MOST_CHILDREN + 1];
+    struct place start = here(r);
+    int count = cagd_names_between(r, name);
+    cagd_relation relation;
+    if (count > 0)
+        return chains(r, scope, before, name, count, r->token, end_of_said(name[count]));
+    do {
+        name[count++] = r->token;
+        if (count == CAGD_MOST_CHILDREN || declared_name(r) == NULL)
+            return back(r, start) - 1;
+    } while (cagd_pass(r, ","));
+    if (count == 1 || !cagd_relation_next(r, &relation))
+        return back(r, start) - 1;
+    name[count] = r->token;
+    return chains(r, scope, before, name, count, name[0], end_of_said(r->token));
+}
+
 static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
 {
     do {
-        while (cagd_read_words(r) != NULL)
+        cagd_reading_error listed = {0};
+        while (cagd_read_words(r) != NULL || cagd_pass(r, "\\forall"))
             ;
-        int done = elements(r, scope);
+        int done = elements(r, scope, &listed);
         if (done < 0)
             done = numbers(r, scope);
         if (done < 0)
+            done = several(r, scope, before);
+        if (done < 0)
             done = chain(r, scope, before);
+        if (!done && listed.from > r->error->from)
+            *r->error = listed;
         if (!done)
             return 0;
     } while (cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_next_is(r, "\\text"));

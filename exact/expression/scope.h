@@ -17,6 +17,7 @@ typedef struct cagd_definition {
  * the names of numbers; a bound that is NULL is none. */
 typedef struct cagd_variable {
     const char *head;
+    const char *key; /* "\\omega_3": of all names with this head this is the one that is meant; NULL: each of them */
     int lower, upper;
     int dimension; /* of a vector or matrix; 0 of a number */
     int whole;     /* runs over the whole numbers from low to high; every number from low on when high is NULL */
@@ -38,6 +39,8 @@ typedef struct cagd_scope {
 /* The first definition of that name, the variable of that name; NULL if there is none. */
 const cagd_definition *cagd_defined(const cagd_scope *scope, const char *head);
 const cagd_variable *cagd_declared(const cagd_scope *scope, const char *head);
+/* What was declared of the name with these indices alone; NULL if nothing was. */
+const cagd_variable *cagd_declared_alone(const cagd_scope *scope, const char *key);
 /* The dimension of the vectors of that name; 0 where they are numbers, or where it is not known. */
 int cagd_dimension_of(const cagd_scope *scope, const char *head);
 int cagd_is_label(const cagd_scope *scope, const char *head);

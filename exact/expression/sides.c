@@ -32,9 +32,12 @@ int cagd_sides_at(const cagd_scope *scope, const cagd_finding *f, int name, num_
 /* The declaration of a name such as "t" or "\omega_3". */
 static const cagd_variable *declaration_of(const cagd_scope *scope, const char *name)
 {
+    const cagd_variable *alone = cagd_declared_alone(scope, name);
+    if (alone != NULL)
+        return alone;
     for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
         size_t n = strlen(v->head);
-        if (strncmp(name, v->head, n) == 0 && (name[n] == '\0' || (n > 0 && v->head[n - 1] == '_') || name[n] == '^'))
+        if (strncmp(name, v->head, n) == 0 && (name[n] == '\0' || (n > 0 && v->head[n - 1] == '_') || name[n] == '^') && v->key == NULL)
             return v;
     }
     return NULL;
