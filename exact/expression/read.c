@@ -1087,14 +1087,16 @@ int cagd_names_between(const cagd_reader *r, const cagd_token *name[CAGD_MOST_IN
     int depth = 0, count = 0;
     cagd_reader at = *r;
     cagd_relation relation;
-    for (; t->kind != CAGD_TOKEN_END; t++) { /* up to the first relation */
+    for (; t->kind != CAGD_TOKEN_END; t++) { /* up to the first relation; x < y, u < v is of two pairs */
         at.token = t;
+        if (t->kind == CAGD_TOKEN_LETTER && strcmp(t->word, "\\pi") != 0)
+            return 0;
         if (depth == 0 && (cagd_relation_next(&at, &relation) || strchr(",;", t->word[0]) != NULL || t->word[0] == '\\') &&
             (cagd_relation_next(&at, &relation) || t->word[1] == '\0'))
             break;
         depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
     }
-    if (!is_less(t) || t == r->token)
+    if (t->kind == CAGD_TOKEN_END || !is_less(t) || t == r->token)
         return 0;
     for (t++; count < CAGD_MOST_INDICES; t++) {
         const cagd_token *end = behind_name(r, t);
@@ -1109,12 +1111,24 @@ int cagd_names_between(const cagd_reader *r, const cagd_token *name[CAGD_MOST_IN
     return count > 1 && is_less(t) ? count : 0;
 }
 
+int cagd_refuse_between(cagd_reader *r, const cagd_token *second)
+{
+    const cagd_variable *v = cagd_declared(r->scope, second[1].word);
+    if (v == NULL || v->whole || second[1].kind != CAGD_TOKEN_LETTER)
+        return 0;
+    r->token = second;
+    cagd_refuse_token(r, "are all of the names between, or are these two relations? write 0 < x < z, 0 < y < z, or 'and'");
+    return 1;
+}
+
 /* low <= u, v <= high, each of the names between both ends. */
 static const cagd_tree *names_between(cagd_reader *r, const cagd_token *const name[], int count)
 {
     const cagd_tree *list[CAGD_MOST_INDICES], *all[CAGD_MOST_INDICES];
     cagd_relation relation[2];
     int from = r->token->from;
+    if (cagd_refuse_between(r, name[count]))
+        return NULL;
     const cagd_tree *low = cagd_read_sum(r);
     if (low == NULL || !cagd_relation_next(r, &relation[0]))
         return NULL;

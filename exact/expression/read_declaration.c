@@ -713,6 +713,8 @@ static int several(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     struct place start = here(r);
     int count = cagd_names_between(r, name);
     cagd_relation relation;
+    if (count > 0 && cagd_refuse_between(r, name[count]))
+        return 0;
     if (count > 0)
         return chains(r, scope, before, name, count, r->token, end_of_said(name[count]));
     do {

@@ -120,9 +120,11 @@ int cagd_forall_of_names(const cagd_reader *r);
 /* Whether names and \in come next, with no relation before it: what follows is said of them. */
 int cagd_next_is_member(const cagd_reader *r);
 const cagd_tree *cagd_read_members(cagd_reader *r);
-/* "0 \le u, v \le 1" comes next: names with commas between two relations that go up.  Where they begin, and how many there are; 0 where there is no
+/* "0 \le u, v \le 1" comes next: names with commas between two relations that go up, a number before them.  Where they begin, and how many there are; 0 where there is no
  * such thing.  What stands between name[k] and the comma before name[k + 1] is the k-th of them; name[count] is the second relation. */
 int cagd_names_between(const cagd_reader *r, const cagd_token *name[CAGD_MOST_INDICES + 1]);
+/* 0 < x, y < z of three variables has two readings: an error at the second relation. */
+int cagd_refuse_between(cagd_reader *r, const cagd_token *second);
 /* One condition: a chain of relations, or a truth in brackets. */
 const cagd_tree *cagd_read_condition(cagd_reader *r);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
