@@ -150,6 +150,11 @@ void complain_in(struct document *d, const char *path, const char *text, int siz
     va_end(list);
 }
 
+void remark_in(struct document *d, const char *path, const char *text, int size, int from, int to, const char *message)
+{
+    tell_in(d, path, text, size, from, to, message);
+}
+
 /* What was not read; a command whose expansion does not end is no name that is not known. */
 static const char *message_of(const struct document *d, const cagd_reading_error *e)
 {
