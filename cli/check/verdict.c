@@ -123,7 +123,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
             v = v->next;
         int named = 0;
         for (int k = 0; k < f->names; k++)
-            named |= v->key != NULL ? strcmp(f->name[k], v->key) == 0 : is_of(f->name[k], v->head);
+            named |= v->key != NULL ? strcmp(f->name[k], v->key) == 0
+                                    : is_of(f->name[k], v->head) && cagd_declared_alone(&s->scope, f->name[k]) == NULL;
         if (!named || (v->key != NULL ? cagd_declared_alone(&s->scope, v->key) : cagd_declared(&s->scope, v->head)) != v)
             continue;
         const char *name = v->key != NULL ? v->key : append(v->head, "%s", v->lower > 0 ? "i" : "");
@@ -216,10 +217,23 @@ static const char *const relation_word[] = {"=", "\\ne", "<", "\\le", ">", "\\ge
 
 static const char *const order_word[] = {"less than", "equal to", "greater than"};
 
+/* A side of what fails; of vectors and matrices the component that does. */
+static const char *side_of(const struct document *d, const cagd_tree *t)
+{
+    int dimension = t->kind == CAGD_COMPONENT ? t->at[0]->dimension : 0, columns = cagd_columns(dimension);
+    int is_bracket = dimension > 0 && t->at[0]->kind == CAGD_POINT && source(d, t)[0] == '(';
+    const char *text = source(d, t), *open = is_bracket ? "" : "(", *close = is_bracket ? "" : ")";
+    if (dimension == 0)
+        return text;
+    if (columns > 1)
+        return append("", "%s%s%s_{%d%d}", open, text, close, t->order / columns + 1, t->order % columns + 1);
+    return dimension <= 3 ? append("", "%s%s%s_%c", open, text, close, "xyz"[t->order]) : append("", "%s%s%s_%d", open, text, close, t->order + 1);
+}
+
 static void print_example(const struct document *d, const cagd_finding *f)
 {
     int relates = f->of_left != NULL && !f->has_root;
-    const char *sides[2] = {relates ? source(d, f->of_left) : "", relates ? source(d, f->of_right) : ""};
+    const char *sides[2] = {relates ? side_of(d, f->of_left) : "", relates ? side_of(d, f->of_right) : ""};
     int width = 0;
     for (int k = 0; k < 2; k++)
         if (width_of(sides[k]) > READABLE / 2)
@@ -445,8 +459,8 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         example = f->has_root ? json_pack("{s:o, s:s}", "values", values, "left_is", order_word[f->order + 1])
                   : f->of_left == NULL
                       ? json_pack("{s:o}", "values", values)
-                      : json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex", source(d, f->of_left),
-                                  "relation", relation_word[f->relation], "right_tex", source(d, f->of_right), "left",
+                      : json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex", side_of(d, f->of_left),
+                                  "relation", relation_word[f->relation], "right_tex", side_of(d, f->of_right), "left",
                                   to_string_q(f->left), "right", to_string_q(f->right));
     }
     char *scope = tex_to_text(scope_of_finding(d, s, f), 1);
