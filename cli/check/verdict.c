@@ -53,11 +53,27 @@ static const char *digits_of(const struct cagd_root *r)
     return append("", "%.*s\\dots", length > 3 && length < 60 ? length - 3 : length, digits);
 }
 
+/* x^2-1*x-1 as it is printed, x^2 - x - 1: the stars are blanks, and a factor 1 is none. */
+static const char *without_stars(const char *polynomial)
+{
+    char *text = region_bytes(strlen(polynomial) + 1);
+    int n = 0;
+    for (const char *c = polynomial; text != NULL && *c != '\0'; c++) {
+        int is_one = c[0] == '1' && c[1] == '*' && (c == polynomial || strchr("+- ", c[-1]) != NULL);
+        c += is_one;
+        if (!is_one)
+            text[n++] = *c == '*' ? ' ' : *c;
+    }
+    if (text != NULL)
+        text[n] = '\0';
+    return text != NULL ? text : "";
+}
+
 /* "$1.41\dots$ is the root of $x^2 - 2$ between $1$ and $2$." */
 static const char *root_text(const struct cagd_root *r)
 {
     return append("", "$%s$ is the root of $%s$ between $%s$ and $%s$.", digits_of(r),
-                  cagd_poly_to_string(r->factor, "x"), to_string_q(r->lo), to_string_q(r->hi));
+                  without_stars(cagd_poly_to_string(r->factor, "x")), to_string_q(r->lo), to_string_q(r->hi));
 }
 
 const char *value_text(const cagd_given *g) { return g->root != NULL ? digits_of(g->root) : to_string_q(g->value); }

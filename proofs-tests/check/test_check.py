@@ -1223,6 +1223,14 @@ class Ranges(unittest.TestCase):
         s = self.found("(x-2)^2 > 0", "x", "-1 \\le x \\le 2")
         self.assertEqual(s["values"].replace("− ", "−"), "−1 ≤ x < 2")
 
+    def test_ends_that_are_roots_are_decided_themselves(self):
+        """Where the side of the other name is open or has no end, what is said holds at the root, or it touches there."""
+        for printed, ranges, values in (("t^4 + x t^2 + t + 1 > 0", "t \\in \\mathbb{R}", "x > −0.928622…"), ("t^4 + x t^2 + t + 1 \\ge 0", "t < 0", "x ≥ −0.928622…"), ("t^3 - x t + 1 > 0", "t > 0", "x < 1.889881…"), ("t^3 - x t + 1 > 0", "0 < t < 1", "x < 1.889881…"),
+                                        ("x^2 t < 2", "0 < t < 1", "−1.414213… ≤ x ≤ 1.414213…"), ("x^2 t < 2", "0 < t \\le 1", "−1.414213… < x < 1.414213…"), ("(x^2 - 2) t > 0", "t > 0", "x < −1.414213… and x > 1.414213…")):
+            s = self.found(printed, "x", ranges)
+            self.assertEqual(s["values"].replace("− ", "−"), values, printed)
+            self.assertNotIn("itself it is not decided", check(document(printed, ranges).replace(":for:", ":find: x\n:for:")).stdout)
+
     def test_what_breaks_it_does(self):
         s = self.found("(1 - x t)(1-t) \\ge 0", "x", "0 \\le t \\le 1")
         self.assertEqual(s["values"], "x ≤ 1")
