@@ -223,7 +223,8 @@ static void strip(const struct document *d, int *from, int *to)
     if (*to - *from >= 4 && strncmp(d->text + *from, "$$", 2) == 0 && strncmp(d->text + *to - 2, "$$", 2) == 0)
         ++*from, --*to; /* as displayed */
     if (*to - *from >= 4 && d->text[*from] == '\\' && d->text[*to - 2] == '\\' &&
-        ((d->text[*from + 1] == '(' && d->text[*to - 1] == ')') || (d->text[*from + 1] == '[' && d->text[*to - 1] == ']')))
+        ((d->text[*from + 1] == '(' && d->text[*to - 1] == ')') ||
+         (d->text[*from + 1] == '[' && d->text[*to - 1] == ']')))
         *from += 2, *to -= 2; /* \( \) and \[ \] */
     if (*to - *from >= 2 && d->text[*from] == '$' && d->text[*to - 1] == '$' &&
         memchr(d->text + *from + 1, '$', (size_t)(*to - *from - 2)) == NULL)

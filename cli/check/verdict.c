@@ -141,7 +141,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         for (int k = 0; k < f->names; k++)
             named |= v->key != NULL ? strcmp(f->name[k], v->key) == 0
                                     : is_of(f->name[k], v->head) && cagd_declared_alone(&s->scope, f->name[k]) == NULL;
-        if (!named || (v->key != NULL ? cagd_declared_alone(&s->scope, v->key) : cagd_declared(&s->scope, v->head)) != v)
+        if (!named ||
+            (v->key != NULL ? cagd_declared_alone(&s->scope, v->key) : cagd_declared(&s->scope, v->head)) != v)
             continue;
         const char *name = v->key != NULL ? v->key : append(v->head, "%s", v->lower > 0 ? "i" : "");
         int bounded = f->bounded && (v->low != NULL || v->high != NULL);
@@ -243,7 +244,8 @@ static const char *side_of(const struct document *d, const cagd_tree *t)
         return text;
     if (columns > 1)
         return append("", "%s%s%s_{%d%d}", open, text, close, t->order / columns + 1, t->order % columns + 1);
-    return dimension <= 3 ? append("", "%s%s%s_%c", open, text, close, "xyz"[t->order]) : append("", "%s%s%s_%d", open, text, close, t->order + 1);
+    return dimension <= 3 ? append("", "%s%s%s_%c", open, text, close, "xyz"[t->order])
+                          : append("", "%s%s%s_%d", open, text, close, t->order + 1);
 }
 
 static void print_example(const struct document *d, const cagd_finding *f)
@@ -472,12 +474,12 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         json_t *values = json_array();
         for (int k = 0; k < f->given; k++)
             json_array_append_new(values, given_json(&f->example[k]));
-        example = f->has_root ? json_pack("{s:o, s:s}", "values", values, "left_is", order_word[f->order + 1])
-                  : f->of_left == NULL
-                      ? json_pack("{s:o}", "values", values)
-                      : json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex", side_of(d, f->of_left),
-                                  "relation", relation_word[f->relation], "right_tex", side_of(d, f->of_right), "left",
-                                  to_string_q(f->left), "right", to_string_q(f->right));
+        example = f->has_root          ? json_pack("{s:o, s:s}", "values", values, "left_is", order_word[f->order + 1])
+                  : f->of_left == NULL ? json_pack("{s:o}", "values", values)
+                                       : json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex",
+                                                   side_of(d, f->of_left), "relation", relation_word[f->relation],
+                                                   "right_tex", side_of(d, f->of_right), "left", to_string_q(f->left),
+                                                   "right", to_string_q(f->right));
     }
     char *scope = tex_to_text(scope_of_finding(d, s, f), 1);
     json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:I, s:I, s:I, s:o}", "name", s->name, "line", s->line,

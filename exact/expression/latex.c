@@ -561,7 +561,8 @@ static void read_cases(struct source *s, int left, int left_end, int k, int stop
         if (is_word(t, k, next, "\\label") && group(t, next, stop, '{', '}', &a, &b) > next)
             next = group(t, next, stop, '{', '}', &a, &b);
         int words = behind_sign && !is_formula && t->bytes[k] != '$' && t->bytes[k] != '\\' && !is_comment &&
-                    (isalpha((unsigned char)t->bytes[k]) || (has_text && !is_blank(t->bytes[k]))); /* no text begins with a comma */
+                    (isalpha((unsigned char)t->bytes[k]) ||
+                     (has_text && !is_blank(t->bytes[k]))); /* no text begins with a comma */
         if (words && !has_text)
             put_between(&all, t, k, k, "\\text{", t->from[k]), has_text = 1;
         if (!words && has_text && !is_blank(t->bytes[k]))
@@ -634,7 +635,8 @@ static int read_next(struct source *s, int k)
     }
     if (is_blank(t->bytes[k]))
         return k + 1;
-    int behind = environment(t, k, "\\begin", name), a = 0, b = 0, which = behind > k ? number_of_environment(name) : -1;
+    int behind = environment(t, k, "\\begin", name), a = 0, b = 0,
+        which = behind > k ? number_of_environment(name) : -1;
     if (which >= 0) {
         if (environments[which].arguments > 0)
             behind = group(t, group(t, behind, t->size, '[', ']', &a, &b), t->size, '{', '}', &a, &b);
@@ -651,8 +653,10 @@ static int read_next(struct source *s, int k)
         return behind;
     forget_notes(s);
     int end = behind_word(t, k), from, to;
-    if ((is_word(t, k, end, "\\input") || is_word(t, k, end, "\\include")) && group(t, end, t->size, '{', '}', &from, &to) > end)
-        cagd_latex_remark(s->out, t->from[k], t->from[to] + 1, "this file is not read: its commands and formulas are not known here");
+    if ((is_word(t, k, end, "\\input") || is_word(t, k, end, "\\include")) &&
+        group(t, end, t->size, '{', '}', &from, &to) > end)
+        cagd_latex_remark(s->out, t->from[k], t->from[to] + 1,
+                          "this file is not read: its commands and formulas are not known here");
     return t->bytes[k] == '$' ? behind_inline(t, k) : behind_word(t, k);
 }
 

@@ -181,7 +181,8 @@ static const cagd_tree *with_q(cagd_reader *r, const cagd_tree *t, int from)
         return t;
     const cagd_tree *q = cagd_read_argument(r, 1);
     if (q != NULL && q->kind == CAGD_NUMBER && cagd_next_is(r, "^"))
-        return cagd_refuse_token(r, "a difference of two values, or a power? write it as a difference, or with brackets");
+        return cagd_refuse_token(r,
+                                 "a difference of two values, or a power? write it as a difference, or with brackets");
     if (t->kind == CAGD_BINOMIAL || (t->kind == CAGD_POINT && t->count == 2))
         return cagd_new_of(r, CAGD_Q_BINOMIAL, from, 3, (const cagd_tree *[]){t->at[0], t->at[1], q});
     if (t->dimension > 0)
@@ -228,7 +229,8 @@ static const cagd_tree *primed_value(cagd_reader *r, const cagd_tree *f)
 {
     const cagd_tree *argument = f->at[f->lower + f->upper];
     if (argument->kind != CAGD_NAME || argument->count > 0)
-        return cagd_refuse_token(r, "a prime stands behind the name, f'(2t), or \\frac{d}{dt} before the bracket: the two are not the same");
+        return cagd_refuse_token(
+            r, "a prime stands behind the name, f'(2t), or \\frac{d}{dt} before the bracket: the two are not the same");
     cagd_tree *t = cagd_new(r, CAGD_NAME, f->from, f->count);
     if (t == NULL)
         return NULL;
@@ -392,7 +394,8 @@ static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
         cagd_pass(r, ",");
         cagd_pass(r, "&");
         if (cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end"))
-            return cagd_refuse_token(r, "expected a condition behind '&', or \\text{otherwise}, not %s", cagd_name_of_next(r));
+            return cagd_refuse_token(r, "expected a condition behind '&', or \\text{otherwise}, not %s",
+                                     cagd_name_of_next(r));
         const cagd_token *at = r->token;
         const char *words = cagd_read_words(r);
         if (words != NULL && is_one_of(words, otherwise))
@@ -459,7 +462,8 @@ static const cagd_tree *function_of_angle(cagd_reader *r, const char *name, cons
     const cagd_tree *s = cagd_new_of(r, CAGD_SINE, from, 1, &angle), *c = cagd_new_of(r, CAGD_COSINE, from, 1, &angle);
     if (strcmp(name, "\\sin") == 0 || strcmp(name, "\\cos") == 0)
         return name[1] == 's' ? s : c;
-    return cagd_new_of(r, CAGD_QUOTIENT, from, 2, strcmp(name, "\\tan") == 0 ? (const cagd_tree *[]){s, c} : (const cagd_tree *[]){c, s});
+    return cagd_new_of(r, CAGD_QUOTIENT, from, 2,
+                       strcmp(name, "\\tan") == 0 ? (const cagd_tree *[]){s, c} : (const cagd_tree *[]){c, s});
 }
 
 /* \sin a, \cos^2 a, \tan a, \cot a; the name of the function is passed. */
@@ -638,7 +642,8 @@ static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from)
     if (!(cagd_pass(r, "(") ? read_point_of_places : read_places)(r, &a) || !cagd_expect(r, "}", "the place"))
         return NULL;
     if (cagd_next_is(r, "^"))
-        return cagd_refuse_token(r, "a difference of two values, or a power? write it as a difference, or with brackets");
+        return cagd_refuse_token(r,
+                                 "a difference of two values, or a power? write it as a difference, or with brackets");
     for (int k = 0; k < a.count && t != NULL; k++) {
         cagd_tree *value = cagd_new_of(r, CAGD_AT, from, 2, (const cagd_tree *[]){t, a.place[k]});
         if (value != NULL)
@@ -711,7 +716,8 @@ const cagd_tree *cagd_power_of(cagd_reader *r, const cagd_tree *t, const cagd_tr
     if (cagd_is_matrix(t->dimension))
         return cagd_matrix_power(r, t, power);
     if (t->dimension > 0 && power->kind == CAGD_NUMBER)
-        return cagd_refuse_tree(r, t, "a vector has no powers: write \\mathbf{a} \\cdot \\mathbf{a} or \\|\\mathbf{a}\\|^2");
+        return cagd_refuse_tree(r, t,
+                                "a vector has no powers: write \\mathbf{a} \\cdot \\mathbf{a} or \\|\\mathbf{a}\\|^2");
     if (n != 0) { /* a^{3/2} = (\sqrt a)^3 */
         t = cagd_new_of(r, CAGD_ROOT, from, 2, (const cagd_tree *[]){t, cagd_tree_number(2, power->from, power->to)});
         power = cagd_tree_number(n, power->from, power->to);
@@ -760,15 +766,16 @@ const cagd_tree *cagd_read_factor(cagd_reader *r)
 
 static int begins_factor(const cagd_reader *r)
 {
-    static const char *const words[] = {"\\sin", "\\cos", "\\tan",    "\\cot",   "\\frac",  "\\binom", "\\sqrt",   "\\sum",        "\\prod", "\\int",
-                                        "\\max", "\\min", "\\lfloor", "\\lceil", "\\begin", "\\det",   "\\langle", "\\underbrace", "\\overbrace", NULL};
+    static const char *const words[] = {"\\sin",   "\\cos",    "\\tan",        "\\cot",       "\\frac",
+                                        "\\binom", "\\sqrt",   "\\sum",        "\\prod",      "\\int",
+                                        "\\max",   "\\min",    "\\lfloor",     "\\lceil",     "\\begin",
+                                        "\\det",   "\\langle", "\\underbrace", "\\overbrace", NULL};
     if (r->integrals > 0 && cagd_differential(r, r->token) > 0)
         return 0;
     return cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER ||
            (r->token->kind == CAGD_TOKEN_WORD && is_one_of(r->token->word, words)) ||
-           (cagd_next_is(r, "(") && !cagd_is_truth_in_brackets(r)) ||
-           cagd_next_is(r, "[") || cagd_next_is(r, "{") || cagd_next_is(r, "\\{") || cagd_next_is(r, "\\left.") ||
-           (r->norms == 0 && cagd_next_is(r, "\\|")) ||
+           (cagd_next_is(r, "(") && !cagd_is_truth_in_brackets(r)) || cagd_next_is(r, "[") || cagd_next_is(r, "{") ||
+           cagd_next_is(r, "\\{") || cagd_next_is(r, "\\left.") || (r->norms == 0 && cagd_next_is(r, "\\|")) ||
            (r->amounts == 0 && cagd_next_is(r, "|") && strcmp(r->token[1].word, "_") != 0);
 }
 
@@ -836,7 +843,8 @@ const cagd_tree *cagd_read_product_in(cagd_reader *r, cagd_tree_kind inside, con
             return cagd_refuse_token(r, "arguments of %s, or a factor? write round brackets, or \\cdot between",
                                      cagd_spelled(list[count - 1]->head));
         if (is_cross && cagd_next_is(r, "\\times"))
-            return cagd_refuse_token(r, "a \\times b \\times c is (a \\times b) \\times c or a \\times (b \\times c): write brackets");
+            return cagd_refuse_token(
+                r, "a \\times b \\times c is (a \\times b) \\times c or a \\times (b \\times c): write brackets");
         const char *sign = cagd_next_is(r, "\\times") ? "\\times" : "*";
         if (dots_between(r)) {
             const cagd_tree *all = factors_left_out(r, list, &count);
@@ -1014,7 +1022,9 @@ static int close_chain(cagd_reader *r, struct chain *c, int end)
 {
     if (end == c->begin)
         return 1;
-    return add_said(r, c, cagd_relate(r, c->member[c->begin]->from, end - c->begin + 1, c->member + c->begin, c->relation + c->begin));
+    return add_said(
+        r, c,
+        cagd_relate(r, c->member[c->begin]->from, end - c->begin + 1, c->member + c->begin, c->relation + c->begin));
 }
 
 /* The last member stands behind dots, and before them those with the same relation between. */
@@ -1023,9 +1033,9 @@ static int fill_chain(cagd_reader *r, struct chain *c, const cagd_token *dots)
     int last = c->count - 1, first = last - 1, start;
     while (first > c->begin && c->relation[first - 1] == c->relation[last - 1])
         first--;
-    const cagd_tree *between =
-        last > c->begin ? cagd_fill_chain(r, c->member + first, last - first, c->member[last], c->relation[last - 1], &start)
-                        : NULL;
+    const cagd_tree *between = last > c->begin ? cagd_fill_chain(r, c->member + first, last - first, c->member[last],
+                                                                 c->relation[last - 1], &start)
+                                               : NULL;
     if (between == NULL) {
         r->left_out = dots;
         return r->error->message[0] == '\0';
@@ -1091,7 +1101,8 @@ int cagd_names_between(const cagd_reader *r, const cagd_token *name[CAGD_MOST_IN
         at.token = t;
         if (t->kind == CAGD_TOKEN_LETTER && strcmp(t->word, "\\pi") != 0)
             return 0;
-        if (depth == 0 && (cagd_relation_next(&at, &relation) || strchr(",;", t->word[0]) != NULL || t->word[0] == '\\') &&
+        if (depth == 0 &&
+            (cagd_relation_next(&at, &relation) || strchr(",;", t->word[0]) != NULL || t->word[0] == '\\') &&
             (cagd_relation_next(&at, &relation) || t->word[1] == '\0'))
             break;
         depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
@@ -1117,7 +1128,8 @@ int cagd_refuse_between(cagd_reader *r, const cagd_token *second)
     if (v == NULL || v->whole || second[1].kind != CAGD_TOKEN_LETTER)
         return 0;
     r->token = second;
-    cagd_refuse_token(r, "are all of the names between, or are these two relations? write 0 < x < z, 0 < y < z, or 'and'");
+    cagd_refuse_token(r,
+                      "are all of the names between, or are these two relations? write 0 < x < z, 0 < y < z, or 'and'");
     return 1;
 }
 
@@ -1166,12 +1178,13 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
         const cagd_token *here = r->token;
         more = cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_pass(r, "\\land");
         const char *words = cagd_read_words(r);
-        if (words != NULL && (strcmp(words, "and") == 0 || strcmp(words, "and all") == 0 || strcmp(words, "and for all") == 0))
+        if (words != NULL &&
+            (strcmp(words, "and") == 0 || strcmp(words, "and all") == 0 || strcmp(words, "and for all") == 0))
             more = 1;
         else if (words != NULL)
             r->token = here, more = 0;
-        if (more && (cagd_next_is_member(r) || cagd_forall_of_names(r) || r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") ||
-                     cagd_next_is(r, "\\end")))
+        if (more && (cagd_next_is_member(r) || cagd_forall_of_names(r) || r->token->kind == CAGD_TOKEN_END ||
+                     cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
             more = 0;
     } while (more);
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);

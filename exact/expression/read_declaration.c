@@ -189,9 +189,8 @@ static int definition(cagd_reader *r, cagd_scope *scope)
 
 static int is_zero_over_zero(const cagd_token *t)
 {
-    static const char *const written[][8] = {{"0", "/", "0", NULL},
-                                             {"\\frac", "{", "0", "}", "{", "0", "}", NULL},
-                                             {"\\frac", "00", NULL}};
+    static const char *const written[][8] = {
+        {"0", "/", "0", NULL}, {"\\frac", "{", "0", "}", "{", "0", "}", NULL}, {"\\frac", "00", NULL}};
     for (int k = 0; k < 3; k++) {
         int m = 0;
         while (written[k][m] != NULL && strcmp(t[m].word, written[k][m]) == 0)
@@ -254,6 +253,10 @@ static int declare(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, cag
     v.head = name->head, v.lower = name->lower, v.upper = name->upper;
     if (name->arguments > 0 || name->order > 0)
         return cagd_refuse_tree(r, name, "a variable has no arguments: define the function") != NULL;
+    const cagd_definition *function = v.whole ? cagd_defined(scope, name->head) : NULL;
+    if (function != NULL && function->left->arguments > 0)
+        return cagd_refuse_tree(r, name, "%s is a function: take another letter for what runs over whole numbers",
+                                name->head) != NULL;
     if (v.whole && name->count > 0)
         return cagd_refuse_tree(r, name, "what runs over whole numbers has no indices") != NULL;
     return cagd_declare(scope, v);
@@ -303,7 +306,8 @@ static int whole_numbers(cagd_reader *r, cagd_variable *v)
     if (has_dots == 0)
         v->high = listed(r, v->low);
     if (has_dots >= 0 && v->high == NULL)
-        return cagd_refuse_token(r, "expected whole numbers one behind another, such as \\{0, 1, 2\\} or \\{0, \\dots, n\\}") != NULL;
+        return cagd_refuse_token(
+                   r, "expected whole numbers one behind another, such as \\{0, 1, 2\\} or \\{0, \\dots, n\\}") != NULL;
     return has_dots >= 0 && cagd_expect(r, "\\}", "the numbers");
 }
 
@@ -376,10 +380,14 @@ static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *liste
         cagd_variable w = v;
         if (v.whole && before != NULL && before->low != NULL) /* n \ge 1, n \in \mathbb{N} */
             w = *before, w.whole = 1;
-        if ((v.low != NULL || v.high != NULL) && !v.whole && name[k]->lower + name[k]->upper > 0) { /* w_0 \in [0,1], or w_i */
+        if ((v.low != NULL || v.high != NULL) && !v.whole &&
+            name[k]->lower + name[k]->upper > 0) { /* w_0 \in [0,1], or w_i */
             w.key = key_of(name[k]);
             if (w.key == NULL && has_number(name[k]))
-                return cagd_refuse_tree(r, name[k], "some of the names of a kind: write it as a condition, such as 0 \\le w_{i,0} \\le 1") != NULL;
+                return cagd_refuse_tree(
+                           r, name[k],
+                           "some of the names of a kind: write it as a condition, such as 0 \\le w_{i,0} \\le 1") !=
+                       NULL;
             if (w.key == NULL ? !refuse_all_behind_one(r, scope, name[k])
                               : before == NULL && !declare(r, scope, name[k], (cagd_variable){0}))
                 return 0;
@@ -516,7 +524,10 @@ static const char *key_of(const cagd_tree *name)
             last = k + 1 == name->lower || k + 1 == name->lower + name->upper;
         const char *digits = to_string_q(t->number);
         int braces = group > 1 || strlen(digits) > 1;
-        used += snprintf(key + used, (size_t)(LONGEST - used), "%s%s%s%s", !first ? "," : k < name->lower ? "" : "^",
+        used += snprintf(key + used, (size_t)(LONGEST - used), "%s%s%s%s",
+                         !first            ? ","
+                         : k < name->lower ? ""
+                                           : "^",
                          first && braces ? "{" : "", digits, last && braces ? "}" : "");
     }
     return used < LONGEST && name->lower + name->upper > 0 ? cagd_text_of(key, used) : NULL;
@@ -683,8 +694,8 @@ static const cagd_token *end_of_said(const cagd_token *t)
 }
 
 /* What is said of several names, name[0] to name[count - 1], is said of each: `head` tokens before them, and those from name[count] to `end`. */
-static int chains(cagd_reader *r, cagd_scope *scope, const cagd_scope *before, const cagd_token *const name[], int count,
-                  const cagd_token *head, const cagd_token *end)
+static int chains(cagd_reader *r, cagd_scope *scope, const cagd_scope *before, const cagd_token *const name[],
+                  int count, const cagd_token *head, const cagd_token *end)
 {
     int heads = (int)(name[0] - head), tails = (int)(end - name[count]);
     for (int k = 0; k < count; k++) {
@@ -695,7 +706,8 @@ static int chains(cagd_reader *r, cagd_scope *scope, const cagd_scope *before, c
         memcpy(one, head, (size_t)heads * sizeof *one);
         memcpy(one + heads, name[k], (size_t)names * sizeof *one);
         memcpy(one + heads + names, name[count], (size_t)tails * sizeof *one);
-        one[heads + names + tails] = (cagd_token){.kind = CAGD_TOKEN_END, .word = "", .from = end->from, .to = end->from};
+        one[heads + names + tails] =
+            (cagd_token){.kind = CAGD_TOKEN_END, .word = "", .from = end->from, .to = end->from};
         r->token = one;
         if (!chain(r, scope, before))
             return 0;

@@ -584,7 +584,8 @@ const cagd_tree *cagd_fill_chain(cagd_reader *r, const cagd_tree *const before[]
         return NULL;
     s.steps.constant = sub_q(s.steps.constant, from_int_q(1));
     const cagd_tree *high = tree_of(r, &s.steps, 0, s.letter, last);
-    const cagd_tree *pair = cagd_relate(r, before[*start]->from, 2, (const cagd_tree *[]){term, next_of(r, term, s.letter)}, &relation);
+    const cagd_tree *pair =
+        cagd_relate(r, before[*start]->from, 2, (const cagd_tree *[]){term, next_of(r, term, s.letter)}, &relation);
     cagd_tree *t =
         cagd_new_of(r, CAGD_FOR_ALL, before[*start]->from, 3,
                     (const cagd_tree *[]){cagd_tree_number(0, before[*start]->from, before[*start]->to), high, pair});

@@ -7,12 +7,11 @@
 #include <string.h>
 
 /* What changes the letter behind it into another one. */
-static const char *const faces[] = {"\\hat",    "\\bar",    "\\tilde",    "\\dot",       "\\ddot",
-                                    "\\dddot",  "\\vec",    "\\check",    "\\breve",     "\\mathbf",
-                                    "\\mathrm", "\\mathit", "\\mathcal",  "\\bm",        "\\boldsymbol",
-                                    "\\mathsf", "\\mathbb", "\\mathfrak", "\\underline", "\\operatorname",
-                                    "\\acute",  "\\grave",  "\\mathring", "\\mathscr",   "\\mathtt",
-                                    "\\pmb",    "\\textbf"};
+static const char *const faces[] = {
+    "\\hat",        "\\bar",      "\\tilde",   "\\dot",      "\\ddot",      "\\dddot",        "\\vec",
+    "\\check",      "\\breve",    "\\mathbf",  "\\mathrm",   "\\mathit",    "\\mathcal",      "\\bm",
+    "\\boldsymbol", "\\mathsf",   "\\mathbb",  "\\mathfrak", "\\underline", "\\operatorname", "\\acute",
+    "\\grave",      "\\mathring", "\\mathscr", "\\mathtt",   "\\pmb",       "\\textbf"};
 enum { FACES = sizeof faces / sizeof *faces, MOST_ARGUMENTS = 8, MOST_HEAD = 60 };
 
 static int is_face(const char *word)
@@ -415,7 +414,8 @@ static const char *word_at(const cagd_reader *r, int at)
 }
 
 static const char *const said_words[] = {"for", "if", "and", "or", "where", "with", "then", "when", "otherwise", NULL};
-static const char *const commands[] = {"sin", "cos", "tan", "max", "min", "det", "sum", "prod", "frac", "binom", "sqrt", "int", NULL};
+static const char *const commands[] = {"sin",  "cos",  "tan",   "max",  "min", "det", "sum",
+                                       "prod", "frac", "binom", "sqrt", "int", NULL};
 
 static int is_one_of_words(const char *word, const char *const list[])
 {
@@ -429,9 +429,12 @@ static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const stru
 {
     const char *near = cagd_nearest(r->scope, p->head), *name = cagd_spelled(p->head), *word = word_at(r, from);
     if (word != NULL && is_one_of_words(word, said_words))
-        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; words stand in \\text{%s}", name, word), NULL;
+        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; words stand in \\text{%s}",
+                                   name, word),
+               NULL;
     if (word != NULL && is_one_of_words(word, commands))
-        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; or is it \\%s?", name, word), NULL;
+        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; or is it \\%s?", name, word),
+               NULL;
     cagd_refuse_reading(r->error, from, r->token[-1].to,
                         "%s is not defined%s%s%s; a line '%s \\in \\mathbb{R}' in a let "
                         "block makes it a variable",
@@ -561,8 +564,8 @@ int cagd_bracket_has_function(const cagd_reader *r)
         if (t->kind == CAGD_TOKEN_WORD && is_face(t->word))
             return 1;
         if (t->kind == CAGD_TOKEN_LETTER && snprintf(head, sizeof head, "%s_", t->word) < MOST_HEAD &&
-            (known_arguments(r, t->word) > 0 || known_arguments(r, head) > 0 || cagd_dimension_of(r->scope, t->word) > 0 ||
-             cagd_dimension_of(r->scope, head) > 0))
+            (known_arguments(r, t->word) > 0 || known_arguments(r, head) > 0 ||
+             cagd_dimension_of(r->scope, t->word) > 0 || cagd_dimension_of(r->scope, head) > 0))
             return 1;
         depth += (strcmp(t->word, "[") == 0) - (strcmp(t->word, "]") == 0);
         if (depth == 0)

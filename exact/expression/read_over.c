@@ -498,7 +498,8 @@ const cagd_tree *cagd_read_integral(cagd_reader *r, int from)
     struct cagd_bound bound = {end[cagd_differential(r, end)].word, r->bound};
     r->bound = &bound;
     r->integrals++;
-    const cagd_tree *body = r->token == end ? cagd_tree_number(1, end->from, end->to) : cagd_read_sum(r); /* \int_0^1 dt */
+    const cagd_tree *body =
+        r->token == end ? cagd_tree_number(1, end->from, end->to) : cagd_read_sum(r); /* \int_0^1 dt */
     r->integrals--;
     r->bound = bound.next;
     if (body == NULL)

@@ -59,6 +59,8 @@ const cagd_tree *cagd_read_condition(cagd_reader *r)
     }
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return cagd_read_truth(r);
+    if (cagd_next_is_member(r))
+        return cagd_read_members(r);
     const cagd_tree *t = cagd_read_relations(r);
     if (t != NULL || strcmp(here->word, "(") != 0)
         return t;
@@ -163,7 +165,8 @@ static int pass_all_numbers(cagd_reader *r)
     int braces = strcmp(t[1].word, "{") == 0;
     if (cagd_pass(r, "\\R"))
         return 1;
-    if (strcmp(t->word, "\\mathbb") != 0 || strcmp(t[1 + braces].word, "R") != 0 || (braces && strcmp(t[3].word, "}") != 0))
+    if (strcmp(t->word, "\\mathbb") != 0 || strcmp(t[1 + braces].word, "R") != 0 ||
+        (braces && strcmp(t[3].word, "}") != 0))
         return 0;
     r->token += 2 + 2 * braces;
     return 1;
@@ -190,17 +193,20 @@ static int only_names(cagd_reader *r)
 int cagd_next_is_member(const cagd_reader *r)
 {
     const cagd_token *t = r->token;
-    int depth = 0;
-    for (; t->kind != CAGD_TOKEN_END && (depth > 0 || (strcmp(t->word, "\\in") != 0 && strcmp(t->word, "\\notin") != 0)); t++) {
+    int depth = 0, open = strcmp(t->word, "(") == 0; /* (x, y) \in, and not (x \in */
+    for (;
+         t->kind != CAGD_TOKEN_END && (depth > 0 || (strcmp(t->word, "\\in") != 0 && strcmp(t->word, "\\notin") != 0));
+         t++) {
         cagd_relation relation;
         cagd_reader at = *r;
         at.token = t;
         depth += (strcmp(t->word, "{") == 0) - (strcmp(t->word, "}") == 0);
+        open &= strcmp(t->word, ")") != 0;
         int bracket = strcmp(t->word, ")") == 0 || (strcmp(t->word, "(") == 0 && t == r->token);
         if (depth == 0 && !bracket && (cagd_relation_next(&at, &relation) || strchr("+-*/([", t->word[0]) != NULL))
             return 0;
     }
-    return t->kind != CAGD_TOKEN_END && (cagd_begins_name(r) || cagd_next_is(r, "("));
+    return t->kind != CAGD_TOKEN_END && !open && (cagd_begins_name(r) || cagd_next_is(r, "("));
 }
 
 /* \forall and names that have a meaning already. */
@@ -277,10 +283,20 @@ static int read_names(cagd_reader *r, const cagd_tree *name[], int *names, int *
            (cagd_next_is(r, "\\notin") || cagd_expect(r, "\\in", "the names"));
 }
 
+/* The comma, or "and", before more names and \in, if such come next. */
+static int pass_to_member(cagd_reader *r)
+{
+    static const char *const and[] = {"and", NULL};
+    const cagd_token *here = r->token;
+    if ((cagd_pass(r, ",") || cagd_pass(r, "\\land") || pass_words(r, and)) && cagd_next_is_member(r))
+        return 1;
+    r->token = here;
+    return 0;
+}
+
 /* x \in [a, b], x, y \in (a, b), (x, y) \in [a, b] \times [c, d], (x, y) \in [a, b]^2: a \le x \le b and so on. */
 const cagd_tree *cagd_read_members(cagd_reader *r)
 {
-    static const char *const and[] = {"and", NULL};
     const cagd_tree *name[MOST_NAMES], *list[CAGD_MOST_CHILDREN], *end[2];
     cagd_relation relation[2];
     int from = r->token->from, count = 0, names, bracket;
@@ -306,15 +322,16 @@ const cagd_tree *cagd_read_members(cagd_reader *r)
             if (list[count++] == NULL)
                 return NULL;
         }
-    } while ((cagd_pass(r, ",") || cagd_pass(r, "\\land") || pass_words(r, and)) && cagd_next_is_member(r));
+    } while (pass_to_member(r));
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
 }
 
 /* What follows is what is supposed: "if", \forall of names that have a meaning, a bracket with a relation in it, names and \in. */
 static int pass_supposed(cagd_reader *r)
 {
-    static const char *const words[] = {"if",       "when",          "whenever",   "for",   "for all", "for every", "for any",
-                                        "for each", "provided that", "provided",   "where", "with",    "as long as", NULL};
+    static const char *const words[] = {"if",         "when",     "whenever",      "for",      "for all", "for every",
+                                        "for any",    "for each", "provided that", "provided", "where",   "with",
+                                        "as long as", NULL};
     const cagd_token *here = r->token;
     cagd_pass(r, ",");
     if (pass_words(r, words) || cagd_pass(r, "\\forall") || cagd_next_is_member(r) || cagd_is_truth_in_brackets(r))
@@ -343,7 +360,8 @@ static int refuse_dots(cagd_reader *r, const cagd_token *first)
     if (r->left_out == NULL || r->left_out < first || r->left_out >= r->token)
         return 0;
     r->token = r->left_out;
-    cagd_refuse_token(r, "what is left out? the ends of the chain do not say it: write \\forall k \\in \\{0, \\dots, n-1\\}: ...");
+    cagd_refuse_token(
+        r, "what is left out? the ends of the chain do not say it: write \\forall k \\in \\{0, \\dots, n-1\\}: ...");
     return 1;
 }
 
@@ -367,7 +385,8 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     implies |= cagd_pass(r, "\\Rightarrow");
     if (begins_with_if && !implies)
         return cagd_refuse_token(r, "expected \\text{then} behind what is supposed, not %s", cagd_name_of_next(r));
-    int iff = !implies && (cagd_pass(r, "\\iff") || pass_words(r, iff_words)), implied = !implies && !iff && pass_supposed(r);
+    int iff = !implies && (cagd_pass(r, "\\iff") || pass_words(r, iff_words)),
+        implied = !implies && !iff && pass_supposed(r);
     if (!implies && !iff && !implied)
         return a;
     if (implied && only_names(r))
@@ -375,7 +394,10 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     if ((implies || iff) && refuse_dots(r, first))
         return NULL;
     second = r->token;
-    b = implies ? cagd_read_truth(r) : implied ? supposed(r) : cagd_next_is_member(r) ? cagd_read_members(r) : alternatives(r);
+    b = implies                  ? cagd_read_truth(r)
+        : implied                ? supposed(r)
+        : cagd_next_is_member(r) ? cagd_read_members(r)
+                                 : alternatives(r);
     if (b == NULL || (!implies && refuse_dots(r, second)))
         return NULL;
     const cagd_tree *pair[2] = {implied ? b : a, implied ? a : b};

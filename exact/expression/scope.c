@@ -105,7 +105,8 @@ static int far_from(const char *known, const char *head)
     enum { LONGEST = 64 };
     char a[LONGEST], b[LONGEST];
     int m = letters_of(known, LONGEST, a), n = letters_of(head, LONGEST, b);
-    int far = distance(a, b), is_case = m == 1 && n == 1 && tolower((unsigned char)a[0]) == tolower((unsigned char)b[0]);
+    int far = distance(a, b),
+        is_case = m == 1 && n == 1 && tolower((unsigned char)a[0]) == tolower((unsigned char)b[0]);
     return m > 0 && n > 0 && (2 * far < n || is_case) ? WHOLE * far + distance(known, head) : FAR_AWAY;
 }
 

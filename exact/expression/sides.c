@@ -37,7 +37,8 @@ static const cagd_variable *declaration_of(const cagd_scope *scope, const char *
         return alone;
     for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
         size_t n = strlen(v->head);
-        if (strncmp(name, v->head, n) == 0 && (name[n] == '\0' || (n > 0 && v->head[n - 1] == '_') || name[n] == '^') && v->key == NULL)
+        if (strncmp(name, v->head, n) == 0 && (name[n] == '\0' || (n > 0 && v->head[n - 1] == '_') || name[n] == '^') &&
+            v->key == NULL)
             return v;
     }
     return NULL;

@@ -323,7 +323,8 @@ static cagd_answer group_at(int members, const int of[], const cagd_constraint c
     if (members == 1 && p->root == NULL)
         return holds_for(&c[of[0]], parameter, p->at, witness, rational);
     *rational = 0;
-    cagd_answer beside = members == 1 ? holds_between(&c[of[0]], parameter, p->root, p->count, p->beside) : CAGD_UNDECIDED;
+    cagd_answer beside =
+        members == 1 ? holds_between(&c[of[0]], parameter, p->root, p->count, p->beside) : CAGD_UNDECIDED;
     if (beside != CAGD_UNDECIDED || (members == 1 && is_of_parameter(&c[of[0]], parameter)))
         return beside; /* and otherwise it is asked for the root itself, as of several constraints */
     num_f x[] = {c[of[0]].t.variable, parameter}, f = from_int_f(0);

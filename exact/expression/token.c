@@ -158,7 +158,8 @@ static int read_scripts(const char *text, int at, int to, cagd_token list[], int
 {
     int which = script_at(text + at, to - at), from = at;
     char script = scripts[which].script;
-    list[(*count)++] = (cagd_token){CAGD_TOKEN_SIGN, script == '^' ? "^" : "_", from, from + length_at(text + at, to - at)};
+    list[(*count)++] =
+        (cagd_token){CAGD_TOKEN_SIGN, script == '^' ? "^" : "_", from, from + length_at(text + at, to - at)};
     cagd_token *open = &list[(*count)++];
     while (at < to && (which = script_at(text + at, to - at)) >= 0 && scripts[which].script == script) {
         int end = at + length_at(text + at, to - at);
@@ -182,8 +183,9 @@ static int read_scripts(const char *text, int at, int to, cagd_token list[], int
 }
 
 /* For the page, with a group behind it that means nothing; and what sets a group above the sign behind it, \stackrel{(1)}{=}. */
-static const char *const without_meaning[] = {"\\hspace",  "\\vspace", "\\mspace", "\\phantom",  "\\vphantom", "\\hphantom",
-                                              "\\label",   "\\tag",    "\\color",  "\\stackrel", "\\overset",   "\\underset"};
+static const char *const without_meaning[] = {"\\hspace",   "\\vspace",   "\\mspace",  "\\phantom",
+                                              "\\vphantom", "\\hphantom", "\\label",   "\\tag",
+                                              "\\color",    "\\stackrel", "\\overset", "\\underset"};
 
 /* Behind the group of such a word s[0..n), which ends at `at`; `at` where there is none. */
 static int behind_meaningless(const char *text, const char *s, int n, int at, int to)
@@ -277,7 +279,8 @@ static void simplify(cagd_token list[], int *count)
             list[to] = list[k + 1];
             k += 2;
         } else if (strcmp(list[k].word, "\\not") == 0 && (word = relation_not(list[k + 1].word)) != NULL) {
-            list[to] = (cagd_token){word[0] == '\\' ? CAGD_TOKEN_WORD : CAGD_TOKEN_SIGN, word, list[k].from, list[k + 1].to};
+            list[to] =
+                (cagd_token){word[0] == '\\' ? CAGD_TOKEN_WORD : CAGD_TOKEN_SIGN, word, list[k].from, list[k + 1].to};
             k++;
         } else if (strcmp(list[k].word, "{") == 0 && (word = font_of(list[k + 1].word)) != NULL) {
             list[to] = (cagd_token){CAGD_TOKEN_WORD, word, list[k].from, list[k + 1].to};
