@@ -165,6 +165,11 @@ static const char *in_words_of_paper(const struct document *d, const cagd_readin
     return n < MESSAGE ? cagd_text_of(text, n) : message;
 }
 
+void remark_in(struct document *d, const char *path, const char *text, int size, int from, int to, const char *message)
+{
+    tell_in(d, path, text, size, from, to, message);
+}
+
 /* What was not read; a command whose expansion does not end is no name that is not known. */
 static const char *message_of(const struct document *d, const cagd_reading_error *e)
 {
@@ -232,6 +237,10 @@ static void strip(const struct document *d, int *from, int *to)
         --*to;
     if (*to - *from >= 4 && strncmp(d->text + *from, "$$", 2) == 0 && strncmp(d->text + *to - 2, "$$", 2) == 0)
         ++*from, --*to; /* as displayed */
+    if (*to - *from >= 4 && d->text[*from] == '\\' && d->text[*to - 2] == '\\' &&
+        ((d->text[*from + 1] == '(' && d->text[*to - 1] == ')') ||
+         (d->text[*from + 1] == '[' && d->text[*to - 1] == ']')))
+        *from += 2, *to -= 2; /* \( \) and \[ \] */
     if (*to - *from >= 2 && d->text[*from] == '$' && d->text[*to - 1] == '$' &&
         memchr(d->text + *from + 1, '$', (size_t)(*to - *from - 2)) == NULL)
         ++*from, --*to;
@@ -452,10 +461,10 @@ static int is_list(const char *text, int from, int to)
  * where they cannot. */
 static int ranges_at(const char *text, int from, int at, int *to)
 {
-    static const char *const words[] = {"\\text{", "\\mbox{", "\\textrm{"};
+    static const char *const words[] = {"\\text{", "\\mbox{", "\\textrm{", "\\forall"};
     if (text[at] == ',')
         return at + 1;
-    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+    for (size_t k = 0; k < sizeof words / sizeof *words && at > from; k++)
         if (strncmp(text + at, words[k], strlen(words[k])) == 0)
             return at;
     int k = at;

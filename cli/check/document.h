@@ -120,6 +120,9 @@ void complain(struct document *d, int from, int to, const char *format, ...) __a
 void complain_in(struct document *d, const char *path, const char *text, int size, int from, int to, const char *format,
                  ...) __attribute__((format(printf, 7, 8)));
 
+/* The same, and not counted. */
+void remark_in(struct document *d, const char *path, const char *text, int size, int from, int to, const char *message);
+
 /* Text behind what the document has; 0 where there is no room.  The whole of a file in the region, "-" being standard input: its size, or
  * -1 and the line on stderr. */
 int put_in_document(struct document *d, const char *text, int length);

@@ -54,7 +54,10 @@ static struct paper *add_paper(struct document *d, const char *path, const char 
         const cagd_latex_trouble *t = &p->latex.trouble[k];
         if (t->is_command)
             continue;
-        complain_in(d, path, text, size, t->from, t->to, "%s", t->message);
+        if (t->is_remark)
+            remark_in(d, path, text, size, t->from, t->to, t->message);
+        else
+            complain_in(d, path, text, size, t->from, t->to, "%s", t->message);
     }
     return p;
 }

@@ -53,7 +53,7 @@ static const char *digits_of(const struct cagd_root *r)
     return append("", "%.*s\\dots", length > 3 && length < 60 ? length - 3 : length, digits);
 }
 
-/* In whole numbers without a common divisor, as it is written: "24 x^{10} - x^{9} + 3". */
+/* In whole numbers without a common divisor, as it is written: "24 x^{10} - x^9 + 3". */
 static const char *polynomial_text(poly of)
 {
     poly p = cagd_poly_primitive(of);
@@ -66,8 +66,8 @@ static const char *polynomial_text(poly of)
             continue;
         text = append(text, "%s", first ? (minus ? "-" : "") : minus ? " - " : " + ");
         if (k == 0 || strcmp(size, "1") != 0)
-            text = append(text, "%s%s", size, k > 0 ? "\\," : "");
-        text = k > 1 ? append(text, "x^{%d}", k) : append(text, "%s", k == 1 ? "x" : "");
+            text = append(text, "%s%s", size, k > 0 ? " " : "");
+        text = k > 1 ? append(text, k < 10 ? "x^%d" : "x^{%d}", k) : append(text, "%s", k == 1 ? "x" : "");
     }
     return text;
 }
@@ -257,10 +257,24 @@ static const char *const relation_word[] = {"=", "\\ne", "<", "\\le", ">", "\\ge
 
 static const char *const order_word[] = {"less than", "equal to", "greater than"};
 
+/* A side of what fails; of vectors and matrices the component that does. */
+static const char *side_of(const struct document *d, const cagd_tree *t)
+{
+    int dimension = t->kind == CAGD_COMPONENT ? t->at[0]->dimension : 0, columns = cagd_columns(dimension);
+    int is_bracket = dimension > 0 && t->at[0]->kind == CAGD_POINT && source(d, t)[0] == '(';
+    const char *text = source(d, t), *open = is_bracket ? "" : "(", *close = is_bracket ? "" : ")";
+    if (dimension == 0)
+        return text;
+    if (columns > 1)
+        return append("", "%s%s%s_{%d%d}", open, text, close, t->order / columns + 1, t->order % columns + 1);
+    return dimension <= 3 ? append("", "%s%s%s_%c", open, text, close, "xyz"[t->order])
+                          : append("", "%s%s%s_%d", open, text, close, t->order + 1);
+}
+
 static void print_example(const struct document *d, const cagd_finding *f)
 {
     int relates = f->of_left != NULL && !f->has_root;
-    const char *sides[2] = {relates ? source(d, f->of_left) : "", relates ? source(d, f->of_right) : ""};
+    const char *sides[2] = {relates ? side_of(d, f->of_left) : "", relates ? side_of(d, f->of_right) : ""};
     int width = 0;
     for (int k = 0; k < 2; k++)
         if (width_of(sides[k]) > READABLE / 2)
@@ -483,12 +497,12 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         json_t *values = json_array();
         for (int k = 0; k < f->given; k++)
             json_array_append_new(values, given_json(&f->example[k]));
-        example = f->has_root ? json_pack("{s:o, s:s}", "values", values, "left_is", order_word[f->order + 1])
-                  : f->of_left == NULL
-                      ? json_pack("{s:o}", "values", values)
-                      : json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex", source(d, f->of_left),
-                                  "relation", relation_word[f->relation], "right_tex", source(d, f->of_right), "left",
-                                  to_string_q(f->left), "right", to_string_q(f->right));
+        example = f->has_root          ? json_pack("{s:o, s:s}", "values", values, "left_is", order_word[f->order + 1])
+                  : f->of_left == NULL ? json_pack("{s:o}", "values", values)
+                                       : json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex",
+                                                   side_of(d, f->of_left), "relation", relation_word[f->relation],
+                                                   "right_tex", side_of(d, f->of_right), "left", to_string_q(f->left),
+                                                   "right", to_string_q(f->right));
     }
     char *scope = tex_to_text(scope_of_finding(d, s, f), 1);
     json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:I, s:I, s:I, s:o}", "name", s->name, "line", s->line,

@@ -101,13 +101,24 @@ static const cagd_tree *changed(const cagd_tree *t, int *which)
     return NULL;
 }
 
-/* A name at t or below it, not in an index, with 1 added. */
-static const cagd_tree *with_changed_name(const cagd_tree *t, int *which)
+static const cagd_tree *twice(const cagd_tree *t)
+{
+    cagd_tree *product = cagd_tree_new(CAGD_PRODUCT, t->from, t->to, 2);
+    if (product == NULL)
+        return NULL;
+    product->at[0] = cagd_tree_number(2, t->from, t->to);
+    product->at[1] = t;
+    return product->at[0] != NULL ? product : NULL;
+}
+
+/* A name at t or below it, not in an index, with 1 added; in an angle, which is no number, twice. */
+static const cagd_tree *with_changed_name(const cagd_tree *t, int in_angle, int *which)
 {
     if (t->kind == CAGD_NAME && (*which)-- == 0)
-        return one_more(t);
+        return in_angle ? twice(t) : one_more(t);
+    in_angle |= t->kind == CAGD_SINE || t->kind == CAGD_COSINE;
     for (int k = t->kind == CAGD_NAME ? t->count : 0; k < t->count; k++) {
-        const cagd_tree *inside = with_changed_name(t->at[k], which);
+        const cagd_tree *inside = with_changed_name(t->at[k], in_angle, which);
         if (inside != NULL)
             return with_child(t, k, inside);
     }
@@ -118,5 +129,5 @@ const cagd_tree *cagd_changed(const cagd_tree *t, int which)
 {
     int first = 0, number = which;
     const cagd_tree *one = changed(t, &number);
-    return one != NULL || changed(t, &first) != NULL ? one : with_changed_name(t, &which);
+    return one != NULL || changed(t, &first) != NULL ? one : with_changed_name(t, 0, &which);
 }

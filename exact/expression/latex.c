@@ -7,8 +7,8 @@
 
 enum { LONGEST_NAME = 40, MOST_NESTED = 64, LONGEST_LABEL = 120, LONGEST_GROUP = 1000, LONGEST_SKIP = 40 };
 
-/* The rows of an environment are formulas of their own, or one formula. */
-enum rows { NO_FORMULA, ONE, EACH };
+/* The rows of an environment are formulas of their own, or one formula, or the cases of what stands in the group behind its name. */
+enum rows { NO_FORMULA, ONE, EACH, CASES };
 
 /* clang-format off */
 static const struct {
@@ -17,7 +17,11 @@ static const struct {
     int arguments; /* groups behind its name */
 } environments[] = {
     {"equation", ONE, 0}, {"displaymath", ONE, 0}, {"multline", ONE, 0}, {"dmath", ONE, 0}, {"align", EACH, 0},
-    {"gather", EACH, 0}, {"eqnarray", EACH, 0}, {"flalign", EACH, 0}, {"alignat", EACH, 1}, {"dgroup", EACH, 0}};
+    {"gather", EACH, 0}, {"eqnarray", EACH, 0}, {"flalign", EACH, 0}, {"alignat", EACH, 1}, {"dgroup", EACH, 0},
+    {"IEEEeqnarray", EACH, 1}, {"xalignat", EACH, 1}, {"xxalignat", EACH, 1}, {"numcases", CASES, 1}, {"subnumcases", CASES, 1}};
+
+/* Formulas may stand in these, but they are not read. */
+static const char *const not_read[] = {"empheq", "darray", "mathpar"};
 
 /* Inside of a formula these set it on several lines and mean nothing. */
 static const char *const settings[] = {"split", "aligned", "gathered", "alignedat", "multlined"};
@@ -27,7 +31,8 @@ static const char *const with_a_group[] = {"\\hspace", "\\vspace", "\\phantom", 
                                            "\\color", "\\intertext", "\\shortintertext", "\\raisetag"};
 static const char *const alone[] = {"\\allowdisplaybreaks", "\\displaybreak", "\\hfill", "\\strut", "\\mathstrut", "\\notag",
                                     "\\nonumber", "\\centering", "\\small", "\\ensuremath", "\\relax", "\\protect", "\\/",
-                                    "\\bigskip", "\\medskip", "\\noindent", "\\scriptstyle"};
+                                    "\\bigskip", "\\medskip", "\\noindent", "\\scriptstyle", "\\IEEEnonumber", "\\IEEEyesnumber",
+                                    "\\IEEEyessubnumber", "\\IEEEeqnarraynumspace"};
 static const struct {
     const char *written, *means;
     int defines; /* the relation says what the left side means */
@@ -532,8 +537,55 @@ static int note_behind(struct source *s, int k, int first)
     return end;
 }
 
+/* The bytes a..b to the text, and a word; where the word comes from is where the bytes begin. */
+static void put_between(cagd_latex_text *out, const cagd_latex_text *t, int a, int b, const char *word, int from)
+{
+    for (int k = a; k < b; k++)
+        cagd_latex_put(out, t->bytes[k], t->from[k]);
+    for (; *word != '\0'; word++)
+        cagd_latex_put(out, *word, from);
+}
+
+/* \begin{numcases}{|x| =} x & if $x \ge 0$ \\ ... \end{numcases}: |x| = \begin{cases} x & \text{if } x \ge 0 \\ ... \end{cases}; the left side is
+ * at left..left_end, the rows at k..stop, and what stands behind & is text with formulas between dollar signs. */
+static void read_cases(struct source *s, int left, int left_end, int k, int stop)
+{
+    const cagd_latex_text *t = s->in;
+    cagd_latex_text all = {0};
+    int from = place_of(t, left), behind_sign = 0, is_formula = 1, has_text = 0, a, b;
+    put_between(&all, t, left, left_end, "\\begin{cases} ", from);
+    while (k < stop) {
+        int next = behind_word(t, k), is_break = is_word(t, k, next, "\\\\"), is_comment = t->bytes[k] == '%';
+        while (is_comment && next < stop && t->bytes[next - 1] != '\n')
+            next++;
+        if (is_word(t, k, next, "\\label") && group(t, next, stop, '{', '}', &a, &b) > next)
+            next = group(t, next, stop, '{', '}', &a, &b);
+        int words = behind_sign && !is_formula && t->bytes[k] != '$' && t->bytes[k] != '\\' && !is_comment &&
+                    (isalpha((unsigned char)t->bytes[k]) ||
+                     (has_text && !is_blank(t->bytes[k]))); /* no text begins with a comma */
+        if (words && !has_text)
+            put_between(&all, t, k, k, "\\text{", t->from[k]), has_text = 1;
+        if (!words && has_text && !is_blank(t->bytes[k]))
+            put_between(&all, t, k, k, "} ", t->from[k]), has_text = 0;
+        if (t->bytes[k] == '$')
+            is_formula = !is_formula;
+        else
+            put_between(&all, t, k, next, "", 0);
+        if (t->bytes[k] == '&')
+            behind_sign = 1, is_formula = 0;
+        if (is_break)
+            behind_sign = 0, is_formula = 1;
+        k = next;
+    }
+    put_between(&all, t, 0, 0, has_text ? "} \\end{cases}" : " \\end{cases}", from);
+    s->in = &all;
+    read_body(s, 0, all.size, ONE);
+    s->in = t;
+}
+
 /* The formula whose beginning is at..k; what is behind it. */
-static int read_formula(struct source *s, int at, int k, const char *close, const char *name, enum rows rows)
+static int read_formula(struct source *s, int at, int k, const char *close, const char *name, enum rows rows, int left,
+                        int left_end)
 {
     const cagd_latex_text *t = s->in;
     char text[LONGEST_NAME];
@@ -547,7 +599,10 @@ static int read_formula(struct source *s, int at, int k, const char *close, cons
         return t->size;
     }
     int first = s->out->items;
-    read_body(s, k, stop, rows);
+    if (rows == CASES)
+        read_cases(s, left, left_end, k, stop);
+    else
+        read_body(s, k, stop, rows);
     int end = name != NULL ? environment(t, stop, "\\end", text) : stop + (int)strlen(close), note = end;
     while (note < t->size && (t->bytes[note] == ' ' || t->bytes[note] == '\t'))
         note++;
@@ -580,19 +635,28 @@ static int read_next(struct source *s, int k)
     }
     if (is_blank(t->bytes[k]))
         return k + 1;
-    int behind = environment(t, k, "\\begin", name), a, b, which = behind > k ? number_of_environment(name) : -1;
+    int behind = environment(t, k, "\\begin", name), a = 0, b = 0,
+        which = behind > k ? number_of_environment(name) : -1;
     if (which >= 0) {
         if (environments[which].arguments > 0)
-            behind = group(t, behind, t->size, '{', '}', &a, &b);
-        return read_formula(s, k, behind, NULL, environments[which].name, environments[which].rows);
+            behind = group(t, group(t, behind, t->size, '[', ']', &a, &b), t->size, '{', '}', &a, &b);
+        return read_formula(s, k, behind, NULL, environments[which].name, environments[which].rows, a, b);
     }
+    for (size_t m = 0; behind > k && m < sizeof not_read / sizeof *not_read; m++)
+        if (strcmp(name, not_read[m]) == 0)
+            cagd_latex_remark(s->out, t->from[k], t->from[behind - 1] + 1, "formulas in this environment are not read");
     if (begins(t, k, "\\["))
-        return read_formula(s, k, k + 2, "\\]", NULL, ONE);
+        return read_formula(s, k, k + 2, "\\]", NULL, ONE, 0, 0);
     if (begins(t, k, "$$"))
-        return read_formula(s, k, k + 2, "$$", NULL, ONE);
+        return read_formula(s, k, k + 2, "$$", NULL, ONE, 0, 0);
     if (behind > k && strcmp(name, "subequations") == 0)
         return behind;
     forget_notes(s);
+    int end = behind_word(t, k), from, to;
+    if ((is_word(t, k, end, "\\input") || is_word(t, k, end, "\\include")) &&
+        group(t, end, t->size, '{', '}', &from, &to) > end)
+        cagd_latex_remark(s->out, t->from[k], t->from[to] + 1,
+                          "this file is not read: its commands and formulas are not known here");
     return t->bytes[k] == '$' ? behind_inline(t, k) : behind_word(t, k);
 }
 

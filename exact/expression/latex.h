@@ -43,6 +43,7 @@ typedef struct cagd_latex_trouble {
     int from, to; /* bytes of the source */
     const char *message;
     int is_command; /* a command of the author, which matters where a formula has it, only */
+    int is_remark;  /* what is not read, and is none of what was asked for                 */
 } cagd_latex_trouble;
 
 typedef struct cagd_latex {
@@ -63,7 +64,8 @@ void cagd_read_latex(const char *source, int size, cagd_latex *out);
  * expanded; for latex.c and its tests.  What does not end is left as it stands, and is a trouble. */
 void cagd_expand_latex(const char *source, int size, cagd_latex_text *out, cagd_latex *troubles);
 
-/* One more byte; one more trouble. */
+/* One more byte; one more trouble, or remark. */
 void cagd_latex_put(cagd_latex_text *out, char byte, int from);
 void cagd_latex_refuse(cagd_latex *out, int from, int to, const char *message);
+void cagd_latex_remark(cagd_latex *out, int from, int to, const char *message);
 #endif

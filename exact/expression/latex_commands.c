@@ -87,7 +87,15 @@ void cagd_latex_refuse(cagd_latex *out, int from, int to, const char *message)
             memcpy(more, out->trouble, (size_t)out->troubles * sizeof *more);
         out->trouble = more, out->trouble_room = room;
     }
-    out->trouble[out->troubles++] = (cagd_latex_trouble){from, to, message, 0};
+    out->trouble[out->troubles++] = (cagd_latex_trouble){from, to, message, 0, 0};
+}
+
+void cagd_latex_remark(cagd_latex *out, int from, int to, const char *message)
+{
+    int before = out->troubles;
+    cagd_latex_refuse(out, from, to, message);
+    if (out->troubles > before)
+        out->trouble[before].is_remark = 1;
 }
 
 /* ---- where things end ---------------------------------------------------------------------------------- */
@@ -508,16 +516,24 @@ static int expand_command(struct expansion *x, const struct slice *t, int a, int
     return b;
 }
 
-/* The comment a..b, on one line, the commands in it expanded, too. */
-static void expand_note(struct expansion *x, const struct slice *t, int a, int b)
+/* What a comment "cagd:" at k says, the commands of the author expanded, on one line; what is behind it. */
+static int expand_note(struct expansion *x, const struct slice *t, int k)
 {
-    int begin = x->out->size;
-    struct slice note = part_of(t, a + 1, b);
-    put_slice(x->out, t, a, a + 1);
-    expand(x, &note, 0);
-    for (int k = begin; k < x->out->size; k++)
-        if (x->out->bytes[k] == '\n')
-            x->out->bytes[k] = ' ';
+    int end = k, said = k, in_body = x->in_body, size;
+    while (end < t->n && t->s[end] != '\n')
+        end++;
+    while (t->s[said] != ':')
+        said++;
+    put_slice(x->out, t, k, said + 1);
+    size = x->out->size;
+    struct slice words = part_of(t, said + 1, end);
+    x->in_body = 1; /* before \begin{document}, too */
+    expand(x, &words, 0);
+    x->in_body = in_body;
+    for (; size < x->out->size; size++)
+        if (x->out->bytes[size] == '\n')
+            x->out->bytes[size] = ' ';
+    return end;
 }
 
 static void expand(struct expansion *x, const struct slice *t, int depth)
@@ -528,12 +544,7 @@ static void expand(struct expansion *x, const struct slice *t, int depth)
          k = next) {
         next = behind_token(t, k);
         if (t->s[k] == '%' && is_note(t, k)) {
-            for (next = k; next < t->n && t->s[next] != '\n'; next++)
-                ;
-            if (depth == 0)
-                expand_note(x, t, k, next);
-            else
-                put_slice(x->out, t, k, next);
+            next = expand_note(x, t, k);
         } else if (t->s[k] == '%') {
             next = behind_comment(t, k);
         } else if (t->s[k] == '\\' && next > k + 1) {

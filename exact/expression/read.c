@@ -180,6 +180,9 @@ static const cagd_tree *with_q(cagd_reader *r, const cagd_tree *t, int from)
     if (t == NULL || !cagd_pass(r, "_"))
         return t;
     const cagd_tree *q = cagd_read_argument(r, 1);
+    if (q != NULL && q->kind == CAGD_NUMBER && cagd_next_is(r, "^"))
+        return cagd_refuse_token(r,
+                                 "a difference of two values, or a power? write it as a difference, or with brackets");
     if (t->kind == CAGD_BINOMIAL || (t->kind == CAGD_POINT && t->count == 2))
         return cagd_new_of(r, CAGD_Q_BINOMIAL, from, 3, (const cagd_tree *[]){t->at[0], t->at[1], q});
     if (t->dimension > 0)
@@ -219,6 +222,37 @@ static int has_wide_space(const cagd_reader *r, const cagd_token *first)
     return 0;
 }
 
+static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from);
+
+/* (f(t))', the bracket being passed: f'(t), where t is a letter. */
+static const cagd_tree *primed_value(cagd_reader *r, const cagd_tree *f)
+{
+    const cagd_tree *argument = f->at[f->lower + f->upper];
+    if (argument->kind != CAGD_NAME || argument->count > 0)
+        return cagd_refuse_token(
+            r, "a prime stands behind the name, f'(2t), or \\frac{d}{dt} before the bracket: the two are not the same");
+    cagd_tree *t = cagd_new(r, CAGD_NAME, f->from, f->count);
+    if (t == NULL)
+        return NULL;
+    const cagd_tree **at = t->at;
+    *t = *f;
+    t->at = at;
+    memcpy(at, f->at, (size_t)f->count * sizeof *at);
+    while (cagd_pass(r, "'"))
+        t->order++;
+    t->to = r->token[-1].to;
+    return t;
+}
+
+/* Whether "_{t=" or "_{(s,t)=" comes next, behind a bracket. */
+static int place_follows(const cagd_reader *r)
+{
+    const cagd_token *t = r->token;
+    if (strcmp(t->word, "_") != 0 || strcmp(t[1].word, "{") != 0)
+        return 0;
+    return strcmp(t[2].word, "(") == 0 || (t[2].kind == CAGD_TOKEN_LETTER && strcmp(t[3].word, "=") == 0);
+}
+
 /* (...), [...], {...}: the value itself. */
 static const cagd_tree *group(cagd_reader *r, const char *close)
 {
@@ -241,8 +275,12 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
         return NULL;
     if (close[0] == ')' && cagd_next_is(r, "_") && strcmp(r->token[1].word, "+") == 0)
         return truncated(r, a, from);
+    if (close[0] != '}' && place_follows(r))
+        return at_a_place(r, a, from);
     if (close[0] == ']' && cagd_next_is(r, "_"))
         return with_q(r, a, from);
+    if (close[0] != '}' && a->kind == CAGD_NAME && a->arguments > 0 && cagd_next_is(r, "'"))
+        return primed_value(r, a);
     return cagd_read_primed_group(r, a);
 }
 
@@ -355,6 +393,9 @@ static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
             return NULL;
         cagd_pass(r, ",");
         cagd_pass(r, "&");
+        if (cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end"))
+            return cagd_refuse_token(r, "expected a condition behind '&', or \\text{otherwise}, not %s",
+                                     cagd_name_of_next(r));
         const cagd_token *at = r->token;
         const char *words = cagd_read_words(r);
         if (words != NULL && is_one_of(words, otherwise))
@@ -363,7 +404,7 @@ static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
             r->token = at;
             return cagd_refuse_token(r, "'%s' is not understood; expected 'if' or 'otherwise'", words);
         }
-        list[count] = cagd_read_conditions(r);
+        list[count] = cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_conditions(r);
         if (list[count++] == NULL)
             return NULL;
         if (!cagd_pass(r, ","))
@@ -427,8 +468,18 @@ static int ends_angle(cagd_reader *r, int is_turn)
     return next != NULL && next->dimension > 0;
 }
 
-/* \sin a, \cos^2 a. */
-static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
+/* The sine or cosine of an angle, the tangent s/c or the cotangent c/s. */
+static const cagd_tree *function_of_angle(cagd_reader *r, const char *name, const cagd_tree *angle, int from)
+{
+    const cagd_tree *s = cagd_new_of(r, CAGD_SINE, from, 1, &angle), *c = cagd_new_of(r, CAGD_COSINE, from, 1, &angle);
+    if (strcmp(name, "\\sin") == 0 || strcmp(name, "\\cos") == 0)
+        return name[1] == 's' ? s : c;
+    return cagd_new_of(r, CAGD_QUOTIENT, from, 2,
+                       strcmp(name, "\\tan") == 0 ? (const cagd_tree *[]){s, c} : (const cagd_tree *[]){c, s});
+}
+
+/* \sin a, \cos^2 a, \tan a, \cot a; the name of the function is passed. */
+static const cagd_tree *circular(cagd_reader *r, const char *name, int from)
 {
     const cagd_tree *power = NULL;
     if (cagd_pass(r, "^") && (power = cagd_read_argument(r, 1)) == NULL)
@@ -439,10 +490,11 @@ static const cagd_tree *circular(cagd_reader *r, cagd_tree_kind kind, int from)
     int is_fraction = cagd_next_is(r, "\\frac");
     const cagd_tree *angle = angle_of(r);
     is_fraction = is_fraction && angle != NULL && is_turn(r, angle); /* \sin\frac{\pi}{2}t */
-    if (angle != NULL && is_bare && cagd_next_is(r, "/"))
-        return cagd_refuse_token(r, "half of the angle, or of the function? write \\frac or brackets");
+    if (angle != NULL && is_bare && cagd_next_is(r, "/") &&
+        (r->token[1].kind == CAGD_TOKEN_NUMBER || cagd_tree_has(angle, "\\pi")))
+        return cagd_refuse_token(r, "does the angle end before the stroke, or not? write brackets, or \\frac");
     const cagd_tree *t = angle != NULL && ((!is_bare && !is_fraction) || ends_angle(r, is_fraction))
-                             ? cagd_new_of(r, kind, from, 1, &angle)
+                             ? function_of_angle(r, name, angle, from)
                              : NULL;
     return t == NULL || power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
 }
@@ -476,6 +528,37 @@ static const cagd_tree *block(cagd_reader *r, int from)
     return t != NULL && t->kind == CAGD_POINT && t->count == 2 ? with_q(r, t, from) : t;
 }
 
+/* \langle a, b \rangle, the first word being passed. */
+static const cagd_tree *scalar_product(cagd_reader *r)
+{
+    const cagd_tree *a = cagd_read_sum(r);
+    if (a == NULL || (!cagd_next_is(r, "|") && !cagd_expect(r, ",", "the first vector")))
+        return NULL;
+    cagd_pass(r, "|");
+    const cagd_tree *b = cagd_read_sum(r);
+    if (b == NULL || !cagd_expect(r, "\\rangle", "the second vector"))
+        return NULL;
+    if (a->dimension == 0 || b->dimension == 0)
+        return cagd_refuse_tree(r, a->dimension == 0 ? a : b, "the scalar product is of two vectors");
+    return cagd_vector_product(r, "*", a, b);
+}
+
+/* \underbrace{a}_{b}, \overbrace{a}^{b}: a; what stands at the brace is a remark. */
+static const cagd_tree *under_a_brace(cagd_reader *r)
+{
+    const cagd_tree *a = cagd_read_argument(r, 0);
+    int depth = 0;
+    if (a == NULL || (!cagd_pass(r, "_") && !cagd_pass(r, "^")))
+        return a;
+    do {
+        depth += cagd_next_is(r, "{") - cagd_next_is(r, "}");
+        if (r->token->kind == CAGD_TOKEN_END)
+            return cagd_refuse_token(r, "expected '}' after the remark, not the end");
+        r->token++;
+    } while (depth > 0);
+    return a;
+}
+
 static const cagd_tree *word(cagd_reader *r)
 {
     int from = r->token->from;
@@ -505,10 +588,15 @@ static const cagd_tree *word(cagd_reader *r)
         r->token++;
         return det(r, from);
     }
-    if (strcmp(w, "\\sin") == 0 || strcmp(w, "\\cos") == 0)
-        return r->token++, circular(r, w[1] == 's' ? CAGD_SINE : CAGD_COSINE, from);
-    static const char *const others[] = {"\\tan",  "\\cot",  "\\sec",  "\\csc",    "\\exp",    "\\log",    "\\ln",
-                                         "\\sinh", "\\cosh", "\\tanh", "\\arcsin", "\\arccos", "\\arctan", NULL};
+    static const char *const of_angles[] = {"\\sin", "\\cos", "\\tan", "\\cot", NULL};
+    if (is_one_of(w, of_angles))
+        return r->token++, circular(r, w, from);
+    if (strcmp(w, "\\langle") == 0)
+        return r->token++, scalar_product(r);
+    if (strcmp(w, "\\underbrace") == 0 || strcmp(w, "\\overbrace") == 0)
+        return r->token++, under_a_brace(r);
+    static const char *const others[] = {"\\sec",  "\\csc",    "\\exp",    "\\log",    "\\ln", "\\sinh", "\\cosh",
+                                         "\\tanh", "\\arcsin", "\\arccos", "\\arctan", NULL};
     if (is_one_of(w, others))
         return cagd_refuse_token(r, "%s is no rational function: name its value, and say what relation it has", w);
     if (strcmp(w, "\\dots") == 0)
@@ -516,37 +604,70 @@ static const cagd_tree *word(cagd_reader *r)
     return cagd_refuse_token(r, "%s is not understood", w);
 }
 
-/* \operatorname{det} */
-static int pass_operator_det(cagd_reader *r)
+/* A letter that has a meaning. */
+static const char *known_letter(cagd_reader *r)
 {
-    const cagd_token *t = r->token;
-    if (!cagd_next_is(r, "\\operatorname") || strcmp(t[1].word, "{") != 0 || strcmp(t[2].word, "d") != 0 ||
-        strcmp(t[3].word, "e") != 0 || strcmp(t[4].word, "t") != 0 || strcmp(t[5].word, "}") != 0)
-        return 0;
-    r->token += 6;
-    return 1;
-}
-
-/* The value of t at a place, f|_{x=a}, the bar being passed. */
-static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from)
-{
-    if (!cagd_expect(r, "_", "the bar") || !cagd_expect(r, "{", "the bar"))
-        return NULL;
     const cagd_token *letter = r->token;
     const char *head = cagd_read_head(r);
-    if (head != NULL && !cagd_is_known(r, head)) {
-        r->token = letter;
-        return cagd_refuse_token(r, "%s is not defined", head);
+    if (head == NULL || cagd_is_known(r, head))
+        return head;
+    r->token = letter;
+    return cagd_refuse_token(r, "%s is not defined", head), NULL;
+}
+
+/* Names and their values: t = a, s = b, or (t, s) = (a, b). */
+struct at {
+    const char *head[CAGD_MOST_INDICES];
+    const cagd_tree *place[CAGD_MOST_INDICES];
+    int count;
+};
+
+static int read_places(cagd_reader *r, struct at *a)
+{
+    do {
+        if (a->count == CAGD_MOST_INDICES)
+            return cagd_refuse_token(r, "a place of more than %d names", CAGD_MOST_INDICES) != NULL;
+        a->head[a->count] = known_letter(r);
+        if (a->head[a->count] == NULL || !cagd_expect(r, "=", "the letter"))
+            return 0;
+        a->place[a->count] = cagd_read_sum(r);
+    } while (a->place[a->count++] != NULL && cagd_pass(r, ","));
+    return a->place[a->count - 1] != NULL;
+}
+
+static int read_point_of_places(cagd_reader *r, struct at *a)
+{
+    do {
+        if (a->count == CAGD_MOST_INDICES)
+            return cagd_refuse_token(r, "a place of more than %d names", CAGD_MOST_INDICES) != NULL;
+        a->head[a->count] = known_letter(r);
+    } while (a->head[a->count++] != NULL && cagd_pass(r, ","));
+    if (!cagd_expect(r, ")", "the names") || !cagd_expect(r, "=", "the names") || !cagd_expect(r, "(", "the names"))
+        return 0;
+    for (int k = 0; k < a->count; k++)
+        if ((k > 0 && !cagd_expect(r, ",", "the value")) || (a->place[k] = cagd_read_sum(r)) == NULL)
+            return 0;
+    return cagd_expect(r, ")", "the values");
+}
+
+/* The value of t at a place, f|_{x=a}, f|_{x=a, y=b}, f|_{(x,y)=(a,b)}, the bar being passed. */
+static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from)
+{
+    struct at a = {.count = 0};
+    if (!cagd_expect(r, "_", "the bar") || !cagd_expect(r, "{", "the bar"))
+        return NULL;
+    if (!(cagd_pass(r, "(") ? read_point_of_places : read_places)(r, &a) || !cagd_expect(r, "}", "the place"))
+        return NULL;
+    if (cagd_next_is(r, "^"))
+        return cagd_refuse_token(r,
+                                 "a difference of two values, or a power? write it as a difference, or with brackets");
+    for (int k = 0; k < a.count && t != NULL; k++) {
+        cagd_tree *value = cagd_new_of(r, CAGD_AT, from, 2, (const cagd_tree *[]){t, a.place[k]});
+        if (value != NULL)
+            value->head = a.head[k];
+        t = value;
     }
-    if (head == NULL || !cagd_expect(r, "=", "the letter"))
-        return NULL;
-    const cagd_tree *place = cagd_read_sum(r);
-    if (place == NULL || !cagd_expect(r, "}", "the place"))
-        return NULL;
-    cagd_tree *value = cagd_new_of(r, CAGD_AT, from, 2, (const cagd_tree *[]){t, place});
-    if (value != NULL)
-        value->head = head;
-    return value;
+    return t;
 }
 
 /* "\mathbf{0}" or "\mathbf 0". */
@@ -561,8 +682,6 @@ static int vector_0_is_next(const cagd_reader *r)
 static const cagd_tree *base(cagd_reader *r)
 {
     int from = r->token->from;
-    if (pass_operator_det(r))
-        return det(r, from);
     if (vector_0_is_next(r)) {
         r->token++;
         return cagd_read_argument(r, 0);
@@ -594,6 +713,35 @@ static const cagd_tree *base(cagd_reader *r)
     return cagd_refuse_token(r, "expected a number, a name or a bracket, not %s", cagd_name_of_next(r));
 }
 
+/* A number of halves that is not whole, 1/2, -3/2 or \frac12: how many; 0 where it is another power. */
+static long halves(const cagd_tree *power)
+{
+    int minus = power->kind == CAGD_NEGATIVE;
+    power = minus ? power->at[0] : power;
+    if (power->kind != CAGD_QUOTIENT || power->at[0]->kind != CAGD_NUMBER || power->at[1]->kind != CAGD_NUMBER)
+        return 0;
+    if (!cagd_equal_q(power->at[1]->number, from_int_q(2)) || !cagd_is_whole_q(power->at[0]->number) ||
+        !mpz_fits_sshort_p(mpq_numref(power->at[0]->number.at)))
+        return 0;
+    long n = mpz_get_si(mpq_numref(power->at[0]->number.at));
+    return n % 2 == 0 ? 0 : minus ? -n : n;
+}
+
+const cagd_tree *cagd_power_of(cagd_reader *r, const cagd_tree *t, const cagd_tree *power, int from)
+{
+    long n = t->dimension == 0 ? halves(power) : 0;
+    if (cagd_is_matrix(t->dimension))
+        return cagd_matrix_power(r, t, power);
+    if (t->dimension > 0 && power->kind == CAGD_NUMBER)
+        return cagd_refuse_tree(r, t,
+                                "a vector has no powers: write \\mathbf{a} \\cdot \\mathbf{a} or \\|\\mathbf{a}\\|^2");
+    if (n != 0) { /* a^{3/2} = (\sqrt a)^3 */
+        t = cagd_new_of(r, CAGD_ROOT, from, 2, (const cagd_tree *[]){t, cagd_tree_number(2, power->from, power->to)});
+        power = cagd_tree_number(n, power->from, power->to);
+    }
+    return n == 1 ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+}
+
 /* t with what stands behind ^. */
 static const cagd_tree *powered(cagd_reader *r, const cagd_tree *t, int from)
 {
@@ -602,9 +750,7 @@ static const cagd_tree *powered(cagd_reader *r, const cagd_tree *t, int from)
     const cagd_tree *power = cagd_read_argument(r, 1);
     if (power != NULL && cagd_is_bare_function(r, t) && (t = cagd_read_primed_group(r, t)) == NULL) /* {f'}^2(t) */
         return NULL;
-    if (power != NULL && cagd_is_matrix(t->dimension))
-        return cagd_matrix_power(r, t, power);
-    return cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+    return power != NULL ? cagd_power_of(r, t, power, from) : NULL;
 }
 
 const cagd_tree *cagd_read_factor(cagd_reader *r)
@@ -613,13 +759,17 @@ const cagd_tree *cagd_read_factor(cagd_reader *r)
     if (++r->depth > CAGD_MOST_DEPTH)
         return cagd_refuse_token(r, "more than %d levels of brackets", CAGD_MOST_DEPTH);
     const cagd_tree *t = base(r);
+    int is_power = 0;
     while (t != NULL) {
         if (cagd_pass(r, "!")) {
             if (cagd_next_is(r, "!"))
                 return cagd_refuse_token(r, "the double factorial is not understood; (x!)! has brackets");
             t = cagd_new_of(r, CAGD_FACTORIAL, from, 1, &t);
+        } else if (cagd_next_is(r, "^") && is_power) {
+            return cagd_refuse_token(r, "two powers: write {a^b}^c or a^{b^c}");
         } else if (cagd_pass(r, "^")) {
             t = powered(r, t, from);
+            is_power = 1;
         } else if (cagd_next_is(r, "|") && strcmp(r->token[1].word, "_") == 0) {
             r->token++;
             t = at_a_place(r, t, from);
@@ -633,14 +783,16 @@ const cagd_tree *cagd_read_factor(cagd_reader *r)
 
 static int begins_factor(const cagd_reader *r)
 {
-    static const char *const words[] = {"\\sin", "\\cos", "\\frac",   "\\binom", "\\sqrt",  "\\sum", "\\prod", "\\int",
-                                        "\\max", "\\min", "\\lfloor", "\\lceil", "\\begin", "\\det", NULL};
+    static const char *const words[] = {"\\sin",   "\\cos",    "\\tan",        "\\cot",       "\\frac",
+                                        "\\binom", "\\sqrt",   "\\sum",        "\\prod",      "\\int",
+                                        "\\max",   "\\min",    "\\lfloor",     "\\lceil",     "\\begin",
+                                        "\\det",   "\\langle", "\\underbrace", "\\overbrace", NULL};
     if (r->integrals > 0 && cagd_differential(r, r->token) > 0)
         return 0;
     return cagd_begins_name(r) || r->token->kind == CAGD_TOKEN_NUMBER ||
-           (r->token->kind == CAGD_TOKEN_WORD && is_one_of(r->token->word, words)) || cagd_next_is(r, "(") ||
-           cagd_next_is(r, "[") || cagd_next_is(r, "{") || cagd_next_is(r, "\\{") || cagd_next_is(r, "\\left.") ||
-           (r->norms == 0 && cagd_next_is(r, "\\|")) ||
+           (r->token->kind == CAGD_TOKEN_WORD && is_one_of(r->token->word, words)) ||
+           (cagd_next_is(r, "(") && !cagd_is_truth_in_brackets(r)) || cagd_next_is(r, "[") || cagd_next_is(r, "{") ||
+           cagd_next_is(r, "\\{") || cagd_next_is(r, "\\left.") || (r->norms == 0 && cagd_next_is(r, "\\|")) ||
            (r->amounts == 0 && cagd_next_is(r, "|") && strcmp(r->token[1].word, "_") != 0);
 }
 
@@ -691,13 +843,25 @@ static const cagd_tree *terms_left_out(cagd_reader *r, const cagd_tree *list[], 
     return t;
 }
 
+/* F[2] of a function F: of round brackets it would be a value. */
+static int may_be_arguments(const cagd_reader *r, const cagd_tree *t)
+{
+    return cagd_is_bare_function(r, t) && cagd_next_is(r, "[") && !cagd_bracket_has_function(r);
+}
+
 /* A product, or what a sum or product over an index is `inside`. */
 const cagd_tree *cagd_read_product_in(cagd_reader *r, cagd_tree_kind inside, const char *index)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
-    int count = 0, from = r->token->from, juxtaposed = 1;
+    int count = 0, from = r->token->from, juxtaposed = 1, is_cross = 0;
     list[count++] = cagd_read_factor(r);
     while (list[count - 1] != NULL) {
+        if (may_be_arguments(r, list[count - 1]))
+            return cagd_refuse_token(r, "arguments of %s, or a factor? write round brackets, or \\cdot between",
+                                     cagd_spelled(list[count - 1]->head));
+        if (is_cross && cagd_next_is(r, "\\times"))
+            return cagd_refuse_token(
+                r, "a \\times b \\times c is (a \\times b) \\times c or a \\times (b \\times c): write brackets");
         const char *sign = cagd_next_is(r, "\\times") ? "\\times" : "*";
         if (dots_between(r)) {
             const cagd_tree *all = factors_left_out(r, list, &count);
@@ -728,11 +892,17 @@ const cagd_tree *cagd_read_product_in(cagd_reader *r, cagd_tree_kind inside, con
         if (count == CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "more than %d factors", CAGD_MOST_CHILDREN);
         list[count] = cagd_read_factor(r);
+        if (dot && sign[0] == '*' && list[count] != NULL && list[count]->dimension > 0 && cagd_pass(r, "\\times")) {
+            const cagd_tree *third = cagd_read_factor(r); /* a . b x c */
+            list[count] = third != NULL ? cagd_vector_product(r, "\\times", list[count], third) : NULL;
+            is_cross = 1;
+        }
         if (dot && list[count] != NULL && list[count]->dimension > 0 && list[count - 1]->dimension > 0) {
             for (int k = 0; k + 1 < count; k++)
                 if (cagd_is_matrix(list[k]->dimension) && !cagd_is_matrix(list[count - 1]->dimension))
                     return cagd_refuse_tree(r, list[count], "a matrix and two vectors: write brackets");
             list[count - 1] = cagd_vector_product(r, sign, list[count - 1], list[count]);
+            is_cross |= list[count - 1] != NULL && list[count - 1]->kind == CAGD_CROSS;
             continue;
         }
         count++;
@@ -820,39 +990,109 @@ static void pass_alignment(cagd_reader *r)
         r->token = t;
 }
 
-/* What is left out of a chain, "\dots =": between equal relations, or before the first. */
-static void pass_dots(cagd_reader *r, int count, const cagd_relation before[])
+/* What is left out of a chain, "\dots =": between equal relations, or before the first.  Whether it was passed. */
+static int pass_dots(cagd_reader *r, int count, const cagd_relation before[])
 {
     cagd_relation next;
     const cagd_token *t = r->token;
-    if (!cagd_pass(r, "\\dots"))
-        return;
-    if (cagd_relation_next(r, &next) && (count == 0 || next == before[count - 1]))
+    if (cagd_pass(r, "\\dots") && cagd_relation_next(r, &next) && (count == 0 || next == before[count - 1])) {
         r->token++;
-    else
-        r->token = t;
+        return 1;
+    }
+    r->token = t;
+    return 0;
+}
+
+/* "< \infty" at the end of a chain, or "-\infty <" at its beginning, which say nothing: passed. */
+static int pass_infinity(cagd_reader *r, int is_first)
+{
+    const cagd_token *t = r->token;
+    cagd_relation relation;
+    int minus = cagd_pass(r, "-");
+    if (!minus)
+        cagd_pass(r, "+");
+    if (cagd_pass(r, "\\infty") && minus == is_first &&
+        (!is_first || (cagd_relation_next(r, &relation) && relation == CAGD_LESS && r->token++)))
+        return 1;
+    r->token = t;
+    return 0;
+}
+
+/* The members of a chain so far, of which those before `begin` are in the conditions: dots, what they leave out, made these. */
+struct chain {
+    const cagd_tree *member[CAGD_MOST_CHILDREN], *said[CAGD_MOST_CHILDREN];
+    cagd_relation relation[CAGD_MOST_CHILDREN];
+    int count, begin, says;
+};
+
+static int add_said(cagd_reader *r, struct chain *c, const cagd_tree *t)
+{
+    if (t != NULL && c->says == CAGD_MOST_CHILDREN)
+        return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_CHILDREN - 1) != NULL;
+    if (t != NULL)
+        c->said[c->says++] = t;
+    return t != NULL;
+}
+
+/* The members from `begin` to `end` are a chain without dots. */
+static int close_chain(cagd_reader *r, struct chain *c, int end)
+{
+    if (end == c->begin)
+        return 1;
+    return add_said(
+        r, c,
+        cagd_relate(r, c->member[c->begin]->from, end - c->begin + 1, c->member + c->begin, c->relation + c->begin));
+}
+
+/* The last member stands behind dots, and before them those with the same relation between. */
+static int fill_chain(cagd_reader *r, struct chain *c, const cagd_token *dots)
+{
+    int last = c->count - 1, first = last - 1, start;
+    while (first > c->begin && c->relation[first - 1] == c->relation[last - 1])
+        first--;
+    const cagd_tree *between = last > c->begin ? cagd_fill_chain(r, c->member + first, last - first, c->member[last],
+                                                                 c->relation[last - 1], &start)
+                                               : NULL;
+    if (between == NULL) {
+        r->left_out = dots;
+        return r->error->message[0] == '\0';
+    }
+    if (!close_chain(r, c, first + start) || !add_said(r, c, between))
+        return 0;
+    c->begin = last;
+    return 1;
 }
 
 const cagd_tree *cagd_read_relations(cagd_reader *r)
 {
-    const cagd_tree *list[CAGD_MOST_CHILDREN];
-    cagd_relation relation[CAGD_MOST_CHILDREN];
-    int count = 0, from = r->token->from;
+    struct chain c = {.count = 0};
+    int from = r->token->from;
+    pass_infinity(r, 1);
     do {
-        if (count == CAGD_MOST_CHILDREN)
+        const cagd_token *dots;
+        if (c.count == CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_CHILDREN - 1);
         cagd_pass(r, "&");
-        pass_dots(r, count, relation);
-        list[count] = cagd_read_sum(r);
-        if (list[count] == NULL)
+        if (c.count > 1 && c.relation[c.count - 1] == CAGD_LESS && pass_infinity(r, 0))
+            break;
+        dots = r->token;
+        int has_dots = pass_dots(r, c.count, c.relation);
+        c.member[c.count] = cagd_read_sum(r);
+        if (c.member[c.count++] == NULL || (has_dots && !fill_chain(r, &c, dots)))
             return NULL;
         pass_alignment(r);
-    } while (cagd_relation_next(r, &relation[count++]) && r->token++);
-    if (cagd_changes_direction(relation, count - 1))
+    } while (cagd_relation_next(r, &c.relation[c.count - 1]) && r->token++);
+    if (cagd_changes_direction(c.relation, c.count - 1))
         return cagd_refuse_token(r, "a chain with < and >: write two relations");
-    if (count == 1)
+    if (c.count == 1 && cagd_next_is(r, ":="))
+        return cagd_refuse_token(r, "':=' says what a name means: write it in a let block, or = here");
+    if (c.count == 1)
         return cagd_refuse_token(r, "expected a relation, = or <, not %s", cagd_name_of_next(r));
-    return cagd_relate(r, from, count, list, relation);
+    if (c.says == 0)
+        return cagd_relate(r, from, c.count, c.member, c.relation);
+    if (!close_chain(r, &c, c.count - 1))
+        return NULL;
+    return c.says == 1 ? c.said[0] : cagd_new_of(r, CAGD_ALL, from, c.says, c.said);
 }
 
 const cagd_tree *cagd_read_conditions(cagd_reader *r)
@@ -872,12 +1112,13 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
         const cagd_token *here = r->token;
         more = cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_pass(r, "\\land");
         const char *words = cagd_read_words(r);
-        if (words != NULL && strcmp(words, "and") == 0)
+        if (words != NULL &&
+            (strcmp(words, "and") == 0 || strcmp(words, "and all") == 0 || strcmp(words, "and for all") == 0))
             more = 1;
         else if (words != NULL)
             r->token = here, more = 0;
-        if (more && (cagd_next_is_member(r) || r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") ||
-                     cagd_next_is(r, "\\end")))
+        if (more && (cagd_next_is_member(r) || cagd_forall_of_names(r) || r->token->kind == CAGD_TOKEN_END ||
+                     cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
             more = 0;
     } while (more);
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
@@ -907,6 +1148,6 @@ const cagd_tree *cagd_read_statement(const cagd_scope *scope, const char *text, 
     cagd_reader r;
     if (!cagd_reader_open(&r, scope, text, from, to, error))
         return NULL;
-    const cagd_tree *t = cagd_read_truth(&r);
+    const cagd_tree *t = cagd_read_for_all_numbers(&r);
     return t != NULL && at_the_end(&r) ? t : NULL;
 }

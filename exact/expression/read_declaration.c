@@ -86,6 +86,9 @@ static int is_left_side(cagd_reader *r, const cagd_tree *left, int may_repeat)
     return 1;
 }
 
+/* "=", or ":=". */
+static int is_equal_sign(const cagd_token *t) { return strcmp(t->word, "=") == 0 || strcmp(t->word, ":=") == 0; }
+
 /* Whether a function with its arguments and "=" come next: another definition. */
 static int next_definition(const cagd_reader *r)
 {
@@ -93,11 +96,11 @@ static int next_definition(const cagd_reader *r)
     int depth = 0, has_arguments = 0;
     if (!cagd_begins_name(r))
         return 0;
-    for (; t->kind != CAGD_TOKEN_END && (depth > 0 || strchr("=<>,", t->word[0]) == NULL); t++) {
+    for (; t->kind != CAGD_TOKEN_END && (depth > 0 || strchr("=<>,:", t->word[0]) == NULL); t++) {
         depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
         has_arguments |= strcmp(t->word, "(") == 0;
     }
-    return has_arguments && strcmp(t->word, "=") == 0 && strcmp(t[-1].word, ")") == 0;
+    return has_arguments && is_equal_sign(t) && strcmp(t[-1].word, ")") == 0;
 }
 
 /* i = 0, 1, \dots, n as a condition: 0 \le i \le n. */
@@ -155,9 +158,12 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
     int read = body != NULL;
     if (read) {
         d->body = body, d->dimension = body->dimension;
-        if (cagd_pass(r, ",") || cagd_next_is(r, "\\text")) {
+        int bracket = cagd_is_truth_in_brackets(r); /* f(t) = t^2 \quad (0 \le t \le 1) */
+        if (cagd_pass(r, ",") || cagd_next_is(r, "\\text") || bracket) {
             cagd_read_words(r);
-            read = r->token->kind == CAGD_TOKEN_END || next_definition(r) || (d->when = condition(r)) != NULL;
+            bracket = cagd_is_truth_in_brackets(r) && cagd_pass(r, "(");
+            read = r->token->kind == CAGD_TOKEN_END || next_definition(r) ||
+                   ((d->when = condition(r)) != NULL && (!bracket || cagd_expect(r, ")", "the condition")));
         }
     }
     r->bound = outside;
@@ -174,7 +180,7 @@ static int definition(cagd_reader *r, cagd_scope *scope)
     if (left->kind != CAGD_NAME)
         return cagd_refuse_tree(r, left, "the left side of a definition is a name with its indices and arguments") !=
                NULL;
-    if (!is_left_side(r, left, 1) || !cagd_expect(r, "=", "the left side"))
+    if (!is_left_side(r, left, 1) || (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
         return 0;
     if (!right_side(r, scope, left))
         return 0;
@@ -183,15 +189,15 @@ static int definition(cagd_reader *r, cagd_scope *scope)
 
 static int is_zero_over_zero(const cagd_token *t)
 {
-    static const char *const written[][12] = {{"0", "/", "0", "=", "0", "", NULL},
-                                              {"\\frac", "{", "0", "}", "{", "0", "}", "=", "0", "", NULL},
-                                              {"\\frac", "00", "=", "0", "", NULL}};
+    static const char *const written[][8] = {
+        {"0", "/", "0", NULL}, {"\\frac", "{", "0", "}", "{", "0", "}", NULL}, {"\\frac", "00", NULL}};
     for (int k = 0; k < 3; k++) {
         int m = 0;
         while (written[k][m] != NULL && strcmp(t[m].word, written[k][m]) == 0)
             m++;
-        if (written[k][m] == NULL)
-            return 1;
+        if (written[k][m] == NULL && is_equal_sign(t + m) && strcmp(t[m + 1].word, "0") == 0) /* words may follow */
+            return t[m + 2].kind == CAGD_TOKEN_END || strchr(".,;", t[m + 2].word[0]) != NULL ||
+                   strcmp(t[m + 2].word, "\\text") == 0;
     }
     return 0;
 }
@@ -207,10 +213,10 @@ static int is_definition(const cagd_token *t)
             (strcmp(t->word, "\\in") == 0 || strchr("<>", t->word[0]) != NULL || strcmp(t->word, "\\le") == 0 ||
              strcmp(t->word, "\\ge") == 0 || strcmp(t->word, "\\ne") == 0))
             return 0;
-        if (depth == 0 && strcmp(t->word, "=") == 0)
+        if (depth == 0 && is_equal_sign(t))
             break;
     }
-    if (t > first + 1) /* the name of a range is a letter */
+    if (t > first + 1 || strcmp(t->word, ":=") == 0) /* the name of a range is a letter */
         return 1;
     for (int inner = 0; t->kind != CAGD_TOKEN_END; t++) {
         inner += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
@@ -300,6 +306,10 @@ static int declare(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, cag
     v.head = name->head, v.lower = name->lower, v.upper = name->upper, v.left = name;
     if (name->arguments > 0 || name->order > 0)
         return cagd_refuse_tree(r, name, "a variable has no arguments: define the function") != NULL;
+    const cagd_definition *function = v.whole ? cagd_defined(scope, name->head) : NULL;
+    if (function != NULL && function->left->arguments > 0)
+        return cagd_refuse_tree(r, name, "%s is a function: take another letter for what runs over whole numbers",
+                                name->head) != NULL;
     if (v.whole && name->count > 0)
         return cagd_refuse_tree(r, name, "what runs over whole numbers has no indices") != NULL;
     return cagd_declare(scope, v);
@@ -361,11 +371,38 @@ static int is_positive(const cagd_token *t)
     return (strcmp(sign, "+") == 0 || strcmp(sign, "*") == 0) && (!braces || strcmp(t[3].word, "}") == 0);
 }
 
-/* Behind \in: \mathbb{R}, \mathbb{N}, \mathbb{Z}^+, [a,b], (a,b). */
+static int dots(cagd_reader *r, const cagd_tree **high);
+static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first);
+
+/* ℕ, or \{0, \dots, n\}. */
+static int whole_numbers(cagd_reader *r, cagd_variable *v)
+{
+    v->whole = 1;
+    v->low = cagd_tree_number(0, r->token->from, r->token->to);
+    if (cagd_pass(r, "\\N"))
+        return 1;
+    r->token++;
+    r->ends++;
+    v->low = cagd_read_sum(r);
+    r->ends--;
+    if (v->low == NULL)
+        return 0;
+    int has_dots = dots(r, &v->high);
+    if (has_dots == 0)
+        v->high = listed(r, v->low);
+    if (has_dots >= 0 && v->high == NULL)
+        return cagd_refuse_token(
+                   r, "expected whole numbers one behind another, such as \\{0, 1, 2\\} or \\{0, \\dots, n\\}") != NULL;
+    return has_dots >= 0 && cagd_expect(r, "\\}", "the numbers");
+}
+
+/* Behind \in: \mathbb{R}, \mathbb{N}, \mathbb{Z}^+, [a,b], (a,b), \{0, \dots, n\}. */
 static int set(cagd_reader *r, cagd_variable *v)
 {
     if (cagd_pass(r, "\\R"))
         return dimension(r, v);
+    if (cagd_next_is(r, "\\N") || cagd_next_is(r, "\\{"))
+        return whole_numbers(r, v);
     if (cagd_pass(r, "\\mathbb")) {
         int braces = cagd_pass(r, "{");
         const cagd_token *letter = r->token;
@@ -416,15 +453,21 @@ static int declare_one(cagd_scope *scope, const cagd_tree *name, cagd_variable b
     return one.head != NULL && cagd_declare(scope, one);
 }
 
-/* x, y, P_i \in SET.  -1: it is no such thing. */
-static int elements(cagd_reader *r, cagd_scope *scope)
+/* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma. */
+static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *listed)
 {
     const cagd_tree *name[CAGD_MOST_CHILDREN];
     struct place start = here(r);
     int count = 0;
     do {
-        if (count == CAGD_MOST_CHILDREN || (name[count++] = declared_name(r)) == NULL)
+        if (count > 0 && cagd_pass(r, "\\dots") && !cagd_pass(r, ","))
             return back(r, start) - 1;
+        if (count == CAGD_MOST_CHILDREN || (name[count++] = declared_name(r)) == NULL) {
+            if (count > 1 && !cagd_begins_name(r))
+                cagd_refuse_token(r, "expected a name, not %s", cagd_name_of_next(r));
+            *listed = count > 1 ? *r->error : (cagd_reading_error){0};
+            return back(r, start) - 1;
+        }
     } while (cagd_pass(r, ","));
     if (!cagd_pass(r, "\\in"))
         return back(r, start) - 1;
@@ -496,7 +539,8 @@ static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first)
         const cagd_token *t = r->token + 1;
         char next[24];
         snprintf(next, sizeof next, "%ld", before + 1);
-        if (strcmp(t->word, next) != 0 || (t[1].kind != CAGD_TOKEN_END && strcmp(t[1].word, ",") != 0))
+        if (strcmp(t->word, next) != 0 ||
+            (t[1].kind != CAGD_TOKEN_END && strcmp(t[1].word, ",") != 0 && strcmp(t[1].word, "\\}") != 0))
             break;
         r->token += 2;
         last = cagd_tree_number(before + 1, t->from, t->to);
@@ -504,18 +548,42 @@ static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first)
     return last;
 }
 
-/* i = 0, \dots, n; i = 0, 1, 2; or n = 3, which is a definition.  -1: it is no such thing. */
+/* 0(1)n, the whole numbers from 0 to n. */
+enum { STEPS = 4 };
+static int steps_of_one(const cagd_token *t)
+{
+    return (t->kind == CAGD_TOKEN_NUMBER || t->kind == CAGD_TOKEN_LETTER) && strcmp(t[1].word, "(") == 0 &&
+           strcmp(t[2].word, "1") == 0 && strcmp(t[STEPS - 1].word, ")") == 0 &&
+           (t[STEPS].kind == CAGD_TOKEN_NUMBER || t[STEPS].kind == CAGD_TOKEN_LETTER);
+}
+static const cagd_tree *lowest(cagd_reader *r, const cagd_token *t)
+{
+    const cagd_token *here = r->token;
+    r->token = t;
+    const cagd_tree *low = cagd_read_argument(r, 1);
+    r->token = here;
+    return low;
+}
+
+/* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
 static int numbers(cagd_reader *r, cagd_scope *scope)
 {
     struct place start = here(r);
     const cagd_tree *name = declared_name(r);
     if (name == NULL || !cagd_pass(r, "="))
         return back(r, start) - 1;
+    const cagd_token *low = r->token;
     r->ends++;
     cagd_variable v = {.whole = 1, .low = cagd_read_sum(r)};
     r->ends--;
     if (v.low == NULL)
         return 0;
+    if (steps_of_one(low)) { /* i = 0(1)n */
+        r->token = low + STEPS;
+        v.low = lowest(r, low);
+        v.high = cagd_read_sum(r);
+        return v.low != NULL && v.high != NULL && declare(r, scope, name, v);
+    }
     int has_dots = dots(r, &v.high);
     if (has_dots < 0)
         return 0;
@@ -533,8 +601,17 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
 
 struct piece {
     const cagd_tree *tree;
-    int alone; /* a name that is no whole number and nothing defined: 1; a whole number: -1 */
+    int alone; /* a name that is no whole number and nothing defined: 1; a whole number: -1; w_{i,0}, some of the names of a kind: 0 */
 };
+
+/* w_0 is one of the w_i: what is said of it is not said of the others. */
+static int has_number(const cagd_tree *name)
+{
+    for (int k = 0; k < name->lower + name->upper; k++)
+        if (name->at[k]->kind == CAGD_NUMBER)
+            return 1;
+    return 0;
+}
 
 /* A member of a chain of relations: a name by itself, which need not be known, or a value. */
 static int piece(cagd_reader *r, struct piece *p)
@@ -679,7 +756,9 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     do {
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_INDICES - 1) != NULL;
-        if (!piece(r, &p[count])) {
+        if (count > 0 && cagd_next_is(r, "\\dots"))
+            cagd_refuse_token(r, "what is left out? of every index it is said as u_i \\le u_{i+1}");
+        if ((count > 0 && cagd_next_is(r, "\\dots")) || !piece(r, &p[count])) {
             r->bound = outside;
             return 0;
         }
@@ -693,8 +772,9 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     if (cagd_changes_direction(relation, count - 1))
         return cagd_refuse_token(r, "a chain with < and >: put a comma between two ranges") != NULL;
     for (int k = 0; k < count; k++) {
-        if (p[k].alone > 0 && cagd_declared(scope, p[k].tree->head) == NULL &&
-            !declare(r, scope, p[k].tree, (cagd_variable){0}))
+        const cagd_tree *t = p[k].tree;
+        int is_name = p[k].alone > 0 || (t->kind == CAGD_NAME && has_number(t) && cagd_defined(scope, t->head) == NULL);
+        if (is_name && cagd_declared(scope, t->head) == NULL && !declare(r, scope, t, (cagd_variable){0}))
             return 0;
         some_index |= p[k].alone == 0 && letter_without_meaning(r, p[k].tree, NULL, 0) != NULL;
         up &= k + 1 == count || is_less(relation[k]);
@@ -738,14 +818,17 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
 static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
 {
     do {
-        while (cagd_read_words(r) != NULL)
+        cagd_reading_error listed = {0};
+        while (cagd_read_words(r) != NULL || cagd_pass(r, "\\forall"))
             ;
         cagd_share_value(r);
-        int done = elements(r, scope);
+        int done = elements(r, scope, &listed);
         if (done < 0)
             done = numbers(r, scope);
         if (done < 0)
             done = cagd_share_bounds(r) && chain(r, scope, before);
+        if (!done && listed.from > r->error->from)
+            *r->error = listed;
         if (!done)
             return 0;
     } while (cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_next_is(r, "\\text"));

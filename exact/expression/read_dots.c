@@ -548,3 +548,48 @@ const cagd_tree *cagd_fill_dots(cagd_reader *r, cagd_tree_kind kind, const cagd_
         t->head = s.letter;
     return t;
 }
+
+/* ---- chains -------------------------------------------------------------------------------------------- */
+
+/* The tree with letter + 1 for the letter. */
+static const cagd_tree *next_of(cagd_reader *r, const cagd_tree *t, const char *letter)
+{
+    if (t->kind == CAGD_NAME && t->count == 0 && strcmp(t->head, letter) == 0) {
+        cagd_tree *sum = cagd_new(r, CAGD_SUM, t->from, 2);
+        if (sum != NULL)
+            sum->at[0] = t, sum->at[1] = cagd_tree_number(1, t->from, t->to), sum->to = t->to;
+        return sum;
+    }
+    cagd_tree *copy = t->count > 0 ? cagd_new(r, t->kind, t->from, t->count) : NULL;
+    if (copy == NULL)
+        return t;
+    const cagd_tree **at = copy->at;
+    *copy = *t;
+    copy->at = at;
+    for (int k = 0; k < t->count; k++)
+        at[k] = next_of(r, t->at[k], letter);
+    return copy;
+}
+
+const cagd_tree *cagd_fill_chain(cagd_reader *r, const cagd_tree *const before[], int count, const cagd_tree *last,
+                                 cagd_relation relation, int *start)
+{
+    struct terms s;
+    const cagd_tree *term = NULL;
+    for (*start = count > MOST_SAMPLES - 1 ? count - MOST_SAMPLES + 1 : 0; *start < count; ++*start)
+        if ((term = term_of(&s, r, before, *start, count, last)) != NULL)
+            break;
+    /* a = \dots = b of two values leaves steps out of a calculation */
+    if (term == NULL || (s.count == 2 && (before[*start]->kind != CAGD_NAME || !are_alike(before[*start], last))))
+        return NULL;
+    s.steps.constant = sub_q(s.steps.constant, from_int_q(1));
+    const cagd_tree *high = tree_of(r, &s.steps, 0, s.letter, last);
+    const cagd_tree *pair =
+        cagd_relate(r, before[*start]->from, 2, (const cagd_tree *[]){term, next_of(r, term, s.letter)}, &relation);
+    cagd_tree *t =
+        cagd_new_of(r, CAGD_FOR_ALL, before[*start]->from, 3,
+                    (const cagd_tree *[]){cagd_tree_number(0, before[*start]->from, before[*start]->to), high, pair});
+    if (t != NULL)
+        t->head = s.letter;
+    return t;
+}

@@ -45,9 +45,12 @@ const cagd_tree *cagd_matrix_product(cagd_reader *r, const cagd_tree *a, const c
         return cagd_refuse_tree(r, b, "%s before %s: there is no such product", cagd_called(a->dimension),
                                 cagd_called(b->dimension));
     cagd_tree *t = cagd_new_of(r, CAGD_MATRIX_PRODUCT, a->from, 2, (const cagd_tree *[]){a, b});
-    if (t != NULL)
-        t->order = inside, t->dimension = shape_of(rows, cagd_columns(b->dimension)), t->to = b->to;
-    return t;
+    if (t == NULL)
+        return NULL;
+    t->order = inside, t->dimension = shape_of(rows, cagd_columns(b->dimension)), t->to = b->to;
+    int of_points = (b->kind == CAGD_TRANSPOSED || b->kind == CAGD_MATRIX_PRODUCT) && b->juxtaposed;
+    t->juxtaposed = of_points;
+    return of_points && rows == 1 ? cagd_transposed(r, t) : t;
 }
 
 const cagd_tree *cagd_chain_of_matrices(cagd_reader *r, const cagd_tree *t)
@@ -96,6 +99,16 @@ const cagd_tree *cagd_transposed(cagd_reader *r, const cagd_tree *t)
     return shaped(r, CAGD_TRANSPOSED, t->from, 1, &t, dimension);
 }
 
+/* The matrix with 1 on its diagonal and 0 elsewhere. */
+static const cagd_tree *identity(cagd_reader *r, int dimension, const cagd_tree *where)
+{
+    const cagd_tree *entry[CAGD_MOST_ROWS * CAGD_MOST_ROWS];
+    int rows = cagd_rows(dimension);
+    for (int k = 0; k < rows * rows; k++)
+        entry[k] = cagd_tree_number(k % (rows + 1) == 0, where->from, where->to);
+    return shaped(r, CAGD_POINT, where->from, rows * rows, entry, dimension);
+}
+
 const cagd_tree *cagd_matrix_power(cagd_reader *r, const cagd_tree *t, const cagd_tree *exponent)
 {
     int minus = exponent->kind == CAGD_NEGATIVE;
@@ -103,9 +116,11 @@ const cagd_tree *cagd_matrix_power(cagd_reader *r, const cagd_tree *t, const cag
     int square = cagd_is_matrix(t->dimension) && cagd_rows(t->dimension) == cagd_columns(t->dimension);
     if (!square)
         return cagd_refuse_tree(r, t, "a power of %s", cagd_called(t->dimension));
-    if (n->kind != CAGD_NUMBER || !cagd_is_whole_q(n->number) || cagd_sign_q(n->number) <= 0 ||
+    if (n->kind == CAGD_NUMBER && cagd_sign_q(n->number) == 0)
+        return identity(r, t->dimension, exponent);
+    if (n->kind != CAGD_NUMBER || !cagd_is_whole_q(n->number) || cagd_sign_q(n->number) < 0 ||
         cagd_compare_q(n->number, from_int_q(MOST_MATRIX_POWER)) > 0)
-        return cagd_refuse_tree(r, exponent, "a matrix has powers with numbers from 1 to %d, and ^T",
+        return cagd_refuse_tree(r, exponent, "a matrix has powers with numbers from 0 to %d, and ^T",
                                 MOST_MATRIX_POWER);
     if (minus && cagd_rows(t->dimension) > MOST_IN_DETERMINANT)
         return cagd_refuse_tree(r, t, "the inverse of more than %d rows", MOST_IN_DETERMINANT);
@@ -129,6 +144,16 @@ const cagd_tree *cagd_columns_of(cagd_reader *r, int count, const cagd_tree *con
             entry[row * count + k] = cagd_component_of(r, list[k], row);
     }
     return shaped(r, CAGD_POINT, from, rows * count, entry, shape_of(rows, count));
+}
+
+/* The points P_0, P_1, ... below one another: the matrix whose rows they are; a row before it is a combination of them, and so a point. */
+static const cagd_tree *points_below_one_another(cagd_reader *r, int count, const cagd_tree *const list[], int from)
+{
+    const cagd_tree *columns = cagd_columns_of(r, count, list, from);
+    cagd_tree *rows = columns != NULL ? cagd_new_of(r, CAGD_TRANSPOSED, from, 1, &columns) : NULL;
+    if (rows != NULL)
+        rows->dimension = shape_of(count, cagd_rows(columns->dimension)), rows->juxtaposed = 1;
+    return rows;
 }
 
 /* ---- entries in rows ----------------------------------------------------------------------------------- */
@@ -180,5 +205,7 @@ const cagd_tree *cagd_read_matrix(cagd_reader *r, const char *name, int from)
         return cagd_refuse_token(r, "a matrix without entries");
     if (rows == 1 && count > 1 && list[0]->dimension > 0)
         return cagd_columns_of(r, count, list, from);
+    if (columns == 1 && count > 1 && list[0]->dimension > 0)
+        return points_below_one_another(r, count, list, from);
     return count == 1 ? list[0] : shaped(r, CAGD_POINT, from, count, list, shape_of(rows, columns));
 }

@@ -2,14 +2,16 @@
 #include "exact/expression/reader.h"
 #include "exact/words.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
 /* What changes the letter behind it into another one. */
-static const char *const faces[] = {"\\hat",    "\\bar",    "\\tilde",    "\\dot",       "\\ddot",
-                                    "\\dddot",  "\\vec",    "\\check",    "\\breve",     "\\mathbf",
-                                    "\\mathrm", "\\mathit", "\\mathcal",  "\\bm",        "\\boldsymbol",
-                                    "\\mathsf", "\\mathbb", "\\mathfrak", "\\underline", "\\operatorname"};
+static const char *const faces[] = {
+    "\\hat",        "\\bar",      "\\tilde",   "\\dot",      "\\ddot",      "\\dddot",        "\\vec",
+    "\\check",      "\\breve",    "\\mathbf",  "\\mathrm",   "\\mathit",    "\\mathcal",      "\\bm",
+    "\\boldsymbol", "\\mathsf",   "\\mathbb",  "\\mathfrak", "\\underline", "\\operatorname", "\\acute",
+    "\\grave",      "\\mathring", "\\mathscr", "\\mathtt",   "\\pmb",       "\\textbf"};
 enum { FACES = sizeof faces / sizeof *faces, MOST_ARGUMENTS = 8, MOST_HEAD = 60 };
 
 static int is_face(const char *word)
@@ -400,9 +402,39 @@ static int primed(cagd_reader *r, struct parts *p)
                              cagd_spelled(p->head), cagd_spelled(p->head)) != NULL;
 }
 
+/* The letters side by side around a byte, without a backslash before them; NULL where there are fewer than two. */
+static const char *word_at(const cagd_reader *r, int at)
+{
+    int from = at, to = at;
+    while (from > 0 && at - from < MOST_HEAD && isalpha((unsigned char)r->text[from - 1]))
+        from--;
+    while (to - at < MOST_HEAD && isalpha((unsigned char)r->text[to]))
+        to++;
+    return to - from < 2 || (from > 0 && r->text[from - 1] == '\\') ? NULL : cagd_text_of(r->text + from, to - from);
+}
+
+static const char *const said_words[] = {"for", "if", "and", "or", "where", "with", "then", "when", "otherwise", NULL};
+static const char *const commands[] = {"sin",  "cos",  "tan",   "max",  "min", "det", "sum",
+                                       "prod", "frac", "binom", "sqrt", "int", NULL};
+
+static int is_one_of_words(const char *word, const char *const list[])
+{
+    for (int k = 0; list[k] != NULL; k++)
+        if (strcmp(word, list[k]) == 0)
+            return 1;
+    return 0;
+}
+
 static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const struct parts *p)
 {
-    const char *near = cagd_nearest(r->scope, p->head), *name = cagd_spelled(p->head);
+    const char *near = cagd_nearest(r->scope, p->head), *name = cagd_spelled(p->head), *word = word_at(r, from);
+    if (word != NULL && is_one_of_words(word, said_words))
+        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; words stand in \\text{%s}",
+                                   name, word),
+               NULL;
+    if (word != NULL && is_one_of_words(word, commands))
+        return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; or is it \\%s?", name, word),
+               NULL;
     cagd_refuse_reading(r->error, from, r->token[-1].to,
                         "%s is not defined%s%s%s; a line '%s \\in \\mathbb{R}' in a let "
                         "block makes it a variable",
@@ -457,7 +489,11 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     int most = !is_known ? 0 : r->declaring ? -1 : known_arguments(r, p.head);
     if (!r->declaring && is_known && !fits(r, &p, from))
         return NULL;
+    int braces = most != 0 && cagd_next_is(r, "{") && strcmp(r->token[1].word, "(") == 0; /* f{(t)}, printed as f(t) */
+    r->token += braces;
     if (cagd_next_is(r, "(") && most != 0 && !arguments(r, &p, most))
+        return NULL;
+    if (braces && !cagd_expect(r, "}", "the arguments"))
         return NULL;
     cagd_tree *t = cagd_new(r, CAGD_NAME, from, p.lower + p.upper + p.arguments);
     if (t == NULL)
@@ -479,9 +515,7 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
         return cagd_transposed(r, t);
     if (p.power == NULL)
         return t;
-    if (cagd_is_matrix(t->dimension))
-        return cagd_matrix_power(r, t, p.power);
-    return cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, p.power});
+    return cagd_power_of(r, t, p.power, from);
 }
 
 const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t)
@@ -519,6 +553,40 @@ static int has_bare_function(const cagd_reader *r, const cagd_tree *t)
     for (int k = 0; k < t->count; k++)
         if (has_bare_function(r, t->at[k]))
             return 1;
+    return 0;
+}
+
+int cagd_bracket_has_function(const cagd_reader *r)
+{
+    int depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END; t++) {
+        char head[MOST_HEAD];
+        if (t->kind == CAGD_TOKEN_WORD && is_face(t->word))
+            return 1;
+        if (t->kind == CAGD_TOKEN_LETTER && snprintf(head, sizeof head, "%s_", t->word) < MOST_HEAD &&
+            (known_arguments(r, t->word) > 0 || known_arguments(r, head) > 0 ||
+             cagd_dimension_of(r->scope, t->word) > 0 || cagd_dimension_of(r->scope, head) > 0))
+            return 1;
+        depth += (strcmp(t->word, "[") == 0) - (strcmp(t->word, "]") == 0);
+        if (depth == 0)
+            return 0;
+    }
+    return 0;
+}
+
+int cagd_is_truth_in_brackets(const cagd_reader *r)
+{
+    int depth = 0;
+    cagd_relation relation;
+    for (cagd_reader at = *r; at.token->kind != CAGD_TOKEN_END; at.token++) {
+        const char *word = at.token->word;
+        if (depth == 1 && (cagd_relation_next(&at, &relation) || strcmp(word, "\\in") == 0))
+            return 1;
+        depth += (strchr("({[", word[0]) != NULL) - (strchr(")}]", word[0]) != NULL);
+        depth += (strcmp(word, "\\begin") == 0) - (strcmp(word, "\\end") == 0); /* cases have conditions of their own */
+        if (depth == 0)
+            return 0;
+    }
     return 0;
 }
 

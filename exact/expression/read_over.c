@@ -13,7 +13,9 @@ int cagd_differential(const cagd_reader *r, const cagd_token *t)
         return 1;
     if (strcmp(t->word, "d") == 0)
         return !cagd_is_known(r, "d");
-    if (strcmp(t->word, "\\mathrm") != 0)
+    int upright = strcmp(t->word, "\\mathrm") == 0 || strcmp(t->word, "\\operatorname") == 0 ||
+                  strcmp(t->word, "\\text") == 0 || strcmp(t->word, "\\textrm") == 0;
+    if (!upright)
         return 0;
     if (strcmp(t[1].word, "d") == 0)
         return 1 + 1;
@@ -95,23 +97,33 @@ static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tr
     return body;
 }
 
-/* Of d/dt f(t)|_{t=a}, read as the derivative of f(a), the value at a of the derivative of f(t), which is meant; `t` is the derivative. */
+/* Of d/dt f(t)|_{t=a}, read as the derivative of f(a), the value at a of the derivative of f(t), which is meant; so of several places,
+ * |_{s=a, t=b}.  `t` is the derivative. */
 static const cagd_tree *value_behind(cagd_reader *r, cagd_tree *t, const char *head)
 {
-    const cagd_tree *at = t != NULL ? t->at[0] : NULL, *last = at;
-    if (at != NULL && at->kind == CAGD_PRODUCT)
-        last = at->at[at->count - 1];
-    if (at == NULL || last->kind != CAGD_AT || strcmp(last->head, head) != 0)
+    const cagd_tree *place[CAGD_MOST_INDICES], *last = t != NULL ? t->at[0] : NULL;
+    int places = 0, meant = 0, is_product = last != NULL && last->kind == CAGD_PRODUCT;
+    if (is_product)
+        last = last->at[last->count - 1];
+    for (; last != NULL && last->kind == CAGD_AT && places < CAGD_MOST_INDICES; last = last->at[0]) {
+        meant |= strcmp(last->head, head) == 0;
+        place[places++] = last;
+    }
+    if (!meant)
         return t;
-    if (last != at)
+    if (is_product)
         return cagd_refuse_tree(
-            r, last,
+            r, place[0],
             "the value at a place of the derivative, or of its last factor: put what has it between "
             "\\left. and \\right|");
-    t->at[0] = at->at[0];
-    cagd_tree *value = cagd_new_of(r, CAGD_AT, t->from, 2, (const cagd_tree *[]){t, at->at[1]});
-    if (value != NULL)
-        value->head = at->head;
+    t->at[0] = last;
+    const cagd_tree *value = t;
+    while (value != NULL && places-- > 0) {
+        cagd_tree *at = cagd_new_of(r, CAGD_AT, t->from, 2, (const cagd_tree *[]){value, place[places]->at[1]});
+        if (at != NULL)
+            at->head = place[places]->head;
+        value = at;
+    }
     return value;
 }
 
@@ -443,14 +455,24 @@ const cagd_tree *cagd_read_over(cagd_reader *r, cagd_tree_kind kind, int from)
     const char *sign = kind == CAGD_SUM_OVER       ? "sum"
                        : kind == CAGD_PRODUCT_OVER ? "product"
                                                    : "greatest or smallest value";
-    if (!cagd_pass(r, "_"))
+    const cagd_token *start = r->token;
+    const cagd_tree *above = NULL;
+    if (cagd_pass(r, "^") && (above = cagd_read_argument(r, 1)) == NULL) /* \sum^n_{i=0} */
+        return NULL;
+    if (!cagd_pass(r, "_")) {
+        r->token = start;
         return cagd_refuse_token(r, "over what is the %s? expected _{i=0}^{n}", sign);
+    }
     if (is_extremum && is_over_a_number(r))
         return cagd_refuse_token(
             r, "the greatest value for all of a variable is not computed: say f(t) \\le c for all, and where f(t) = c");
     if (!below(r, &a))
         return NULL;
-    if (a.end == NULL && a.high[0] == NULL) {
+    if (above != NULL && (a.end != NULL || a.high[0] != NULL))
+        return cagd_refuse_tree(r, above, "the range below has its upper end already");
+    if (above != NULL) {
+        a.end = above;
+    } else if (a.end == NULL && a.high[0] == NULL) {
         if (!cagd_pass(r, "^"))
             return cagd_refuse_token(r, "up to what is the %s? expected ^{n}", sign);
         a.end = cagd_read_argument(r, 1);
@@ -479,17 +501,21 @@ const cagd_tree *cagd_read_integral(cagd_reader *r, int from)
             high = cagd_read_argument(r, 1);
     if (low == NULL || high == NULL)
         return cagd_refuse_token(r, "from where to where is the integral? expected \\int_a^b ... dt");
-    /* The letter of the variable stands behind the integrand, and has to be known in it. */
+    /* The letter of the variable stands behind the integrand, and has to be known in it; integrals inside have their own. */
     const cagd_token *end = r->token;
-    while (end->kind != CAGD_TOKEN_END &&
-           (cagd_differential(r, end) == 0 || end[cagd_differential(r, end)].kind != CAGD_TOKEN_LETTER))
-        end++;
+    for (int inside = 0; end->kind != CAGD_TOKEN_END; end++) {
+        int ends = cagd_differential(r, end) > 0 && end[cagd_differential(r, end)].kind == CAGD_TOKEN_LETTER;
+        inside += strcmp(end->word, "\\int") == 0;
+        if (ends && inside-- == 0)
+            break;
+    }
     if (end->kind == CAGD_TOKEN_END)
         return cagd_refuse_token(r, "by what is the integral? expected d and a letter at its end");
     struct cagd_bound bound = {end[cagd_differential(r, end)].word, r->bound};
     r->bound = &bound;
     r->integrals++;
-    const cagd_tree *body = cagd_read_sum(r);
+    const cagd_tree *body =
+        r->token == end ? cagd_tree_number(1, end->from, end->to) : cagd_read_sum(r); /* \int_0^1 dt */
     r->integrals--;
     r->bound = bound.next;
     if (body == NULL)

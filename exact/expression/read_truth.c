@@ -7,9 +7,23 @@
 #include "exact/expression/reader.h"
 #include "exact/words.h"
 
+#include <ctype.h>
 #include <string.h>
 
 enum { MOST_NAMES = 2 * CAGD_MOST_INDICES };
+
+/* Whether a text says this and nothing else; commas around it, and how it begins, do not count. */
+static int is_said(const char *text, const char *words)
+{
+    while (*text == ',' || *text == ' ')
+        text++;
+    size_t n = strlen(words);
+    if (tolower((unsigned char)text[0]) != words[0] || strncmp(text + 1, words + 1, n - 1) != 0)
+        return 0;
+    for (text += n; *text == ',' || *text == ' ' || *text == ':';)
+        text++;
+    return *text == '\0';
+}
 
 /* Whether these words come next, as text; then they are passed. */
 static int pass_words(cagd_reader *r, const char *const words[])
@@ -17,7 +31,7 @@ static int pass_words(cagd_reader *r, const char *const words[])
     const cagd_token *here = r->token;
     const char *said = cagd_read_words(r);
     for (int k = 0; said != NULL && words[k] != NULL; k++)
-        if (strcmp(said, words[k]) == 0)
+        if (is_said(said, words[k]))
             return 1;
     r->token = here;
     return 0;
@@ -45,6 +59,8 @@ const cagd_tree *cagd_read_condition(cagd_reader *r)
     }
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return cagd_read_truth(r);
+    if (cagd_next_is_member(r))
+        return cagd_read_members(r);
     const cagd_tree *t = cagd_read_relations(r);
     if (t != NULL || strcmp(here->word, "(") != 0)
         return t;
@@ -93,9 +109,20 @@ static int finite_range(cagd_reader *r, const cagd_tree **low, const cagd_tree *
     r->ends--;
     if (*low == NULL)
         return 0;
-    while (cagd_pass(r, ",") && !cagd_next_is(r, "\\dots")) /* 0, 1, \dots, n */
-        if (cagd_read_sum(r) == NULL)
+    *high = *low;
+    while (cagd_pass(r, ",") && !cagd_next_is(r, "\\dots")) { /* 0, 1, \dots, n, or 0, 1, 2 */
+        const cagd_tree *before = *high;
+        *high = cagd_read_sum(r);
+        if (*high == NULL)
             return 0;
+        if (before->kind != CAGD_NUMBER || (*high)->kind != CAGD_NUMBER ||
+            !cagd_equal_q((*high)->number, add_q(before->number, from_int_q(1))))
+            before = NULL;
+        if (before == NULL && !cagd_next_is(r, ","))
+            return cagd_refuse_tree(r, *high, "expected whole numbers one behind another, such as 0, 1, 2") != NULL;
+    }
+    if (braces ? cagd_pass(r, "\\}") : *high != *low && cagd_next_is(r, ":"))
+        return 1;
     if (!cagd_expect(r, "\\dots", "the first number"))
         return 0;
     cagd_pass(r, ",");
@@ -148,13 +175,30 @@ static const cagd_tree *quantified(cagd_reader *r)
     return t;
 }
 
-/* Names and nothing else up to the end, "x, y": said of all of them, which is said already. */
+/* \mathbb{R}, passed. */
+static int pass_all_numbers(cagd_reader *r)
+{
+    const cagd_token *t = r->token;
+    int braces = strcmp(t[1].word, "{") == 0;
+    if (cagd_pass(r, "\\R"))
+        return 1;
+    if (strcmp(t->word, "\\mathbb") != 0 || strcmp(t[1 + braces].word, "R") != 0 ||
+        (braces && strcmp(t[3].word, "}") != 0))
+        return 0;
+    r->token += 2 + 2 * braces;
+    return 1;
+}
+
+/* Names and nothing else up to the end, "x, y", or "x, y \in \mathbb{R}": said of all of them, which is said already. */
 static int only_names(cagd_reader *r)
 {
     const cagd_token *here = r->token;
     do {
         if (!cagd_begins_name(r) || cagd_read_name(r) == NULL)
             break;
+        const cagd_token *in = r->token;
+        if (cagd_pass(r, "\\in") && !pass_all_numbers(r))
+            r->token = in;
         if (r->token->kind == CAGD_TOKEN_END || (strcmp(r->token->word, ".") == 0))
             return 1;
     } while (cagd_pass(r, ","));
@@ -166,17 +210,48 @@ static int only_names(cagd_reader *r)
 int cagd_next_is_member(const cagd_reader *r)
 {
     const cagd_token *t = r->token;
-    int depth = 0;
-    for (; t->kind != CAGD_TOKEN_END && (depth > 0 || strcmp(t->word, "\\in") != 0); t++) {
+    int depth = 0, open = strcmp(t->word, "(") == 0; /* (x, y) \in, and not (x \in */
+    for (;
+         t->kind != CAGD_TOKEN_END && (depth > 0 || (strcmp(t->word, "\\in") != 0 && strcmp(t->word, "\\notin") != 0));
+         t++) {
         cagd_relation relation;
         cagd_reader at = *r;
         at.token = t;
         depth += (strcmp(t->word, "{") == 0) - (strcmp(t->word, "}") == 0);
+        open &= strcmp(t->word, ")") != 0;
         int bracket = strcmp(t->word, ")") == 0 || (strcmp(t->word, "(") == 0 && t == r->token);
         if (depth == 0 && !bracket && (cagd_relation_next(&at, &relation) || strchr("+-*/([", t->word[0]) != NULL))
             return 0;
     }
-    return t->kind != CAGD_TOKEN_END && (cagd_begins_name(r) || cagd_next_is(r, "("));
+    return t->kind != CAGD_TOKEN_END && !open && (cagd_begins_name(r) || cagd_next_is(r, "("));
+}
+
+/* \forall and names that have a meaning already. */
+int cagd_forall_of_names(const cagd_reader *r)
+{
+    cagd_reader at = *r;
+    cagd_reading_error none = {0};
+    at.error = &none;
+    if (!cagd_pass(&at, "\\forall") || !cagd_begins_name(&at))
+        return 0;
+    const cagd_tree *name = cagd_read_name(&at);
+    const cagd_variable *v = name != NULL ? cagd_declared(r->scope, name->head) : NULL;
+    return v != NULL && !v->whole;
+}
+
+/* Names up to a colon, or up to \in \mathbb{R}: passed with it. */
+static int pass_all_numbers_named(cagd_reader *r)
+{
+    const cagd_token *here = r->token;
+    do
+        if (!cagd_begins_name(r) || cagd_read_name(r) == NULL)
+            break;
+    while (cagd_pass(r, ","));
+    if (r->error->message[0] == '\0' && (cagd_next_is(r, ":") || (cagd_pass(r, "\\in") && pass_all_numbers(r))))
+        return 1;
+    r->token = here;
+    *r->error = (cagd_reading_error){0};
+    return 0;
 }
 
 /* [a, b], and with round brackets an end that does not belong to it. */
@@ -185,14 +260,29 @@ static int read_interval(cagd_reader *r, const cagd_tree *end[2], cagd_relation 
     int open = cagd_pass(r, "(");
     if (!open && !cagd_pass(r, "["))
         return cagd_refuse_token(r, "expected an interval such as [0,1]; other sets stand in :for:") != NULL;
-    end[0] = cagd_read_sum(r);
-    if (end[0] == NULL || !cagd_expect(r, ",", "the low end"))
+    int no_low = open && cagd_next_is(r, "-") && strcmp(r->token[1].word, "\\infty") == 0;
+    r->token += 2 * no_low;
+    end[0] = no_low ? NULL : cagd_read_sum(r);
+    if ((end[0] == NULL && !no_low) || !cagd_expect(r, ",", "the low end"))
         return 0;
-    end[1] = cagd_read_sum(r);
-    int open_above = end[1] != NULL && cagd_pass(r, ")");
+    int no_high = cagd_next_is(r, "\\infty") || (cagd_next_is(r, "+") && strcmp(r->token[1].word, "\\infty") == 0);
+    r->token += no_high ? 1 + cagd_next_is(r, "+") : 0;
+    end[1] = no_high ? NULL : cagd_read_sum(r);
+    int open_above = (end[1] != NULL || no_high) && cagd_pass(r, ")");
     relation[0] = open ? CAGD_LESS : CAGD_LESS_OR_EQUAL;
     relation[1] = open_above ? CAGD_LESS : CAGD_LESS_OR_EQUAL;
-    return end[1] != NULL && (open_above || cagd_expect(r, "]", "the high end"));
+    if (no_low && no_high)
+        return cagd_refuse_token(r, "an interval without ends says nothing") != NULL;
+    return open_above || ((end[1] != NULL || no_high) && cagd_expect(r, no_high ? ")" : "]", "the high end"));
+}
+
+/* low <= name <= high, of the ends that there are. */
+static const cagd_tree *between(cagd_reader *r, int from, const cagd_tree *const end[2], const cagd_tree *name,
+                                const cagd_relation relation[2])
+{
+    if (end[0] == NULL)
+        return cagd_relate(r, from, 2, (const cagd_tree *[]){name, end[1]}, relation + 1);
+    return cagd_relate(r, from, end[1] != NULL ? 3 : 2, (const cagd_tree *[]){end[0], name, end[1]}, relation);
 }
 
 /* The names before \in, in brackets or not. */
@@ -206,19 +296,35 @@ static int read_names(cagd_reader *r, const cagd_tree *name[], int *names, int *
         if (name[(*names)++] == NULL)
             return 0;
     } while (cagd_pass(r, ","));
-    return (!*bracket || cagd_expect(r, ")", "the names")) && cagd_expect(r, "\\in", "the names");
+    return (!*bracket || cagd_expect(r, ")", "the names")) &&
+           (cagd_next_is(r, "\\notin") || cagd_expect(r, "\\in", "the names"));
+}
+
+/* The comma, or "and", before more names and \in, if such come next. */
+static int pass_to_member(cagd_reader *r)
+{
+    static const char *const and[] = {"and", NULL};
+    const cagd_token *here = r->token;
+    if ((cagd_pass(r, ",") || cagd_pass(r, "\\land") || pass_words(r, and)) && cagd_next_is_member(r))
+        return 1;
+    r->token = here;
+    return 0;
 }
 
 /* x \in [a, b], x, y \in (a, b), (x, y) \in [a, b] \times [c, d], (x, y) \in [a, b]^2: a \le x \le b and so on. */
 const cagd_tree *cagd_read_members(cagd_reader *r)
 {
-    static const char *const and[] = {"and", NULL};
     const cagd_tree *name[MOST_NAMES], *list[CAGD_MOST_CHILDREN], *end[2];
     cagd_relation relation[2];
     int from = r->token->from, count = 0, names, bracket;
     do {
-        if (!read_names(r, name, &names, &bracket) || !read_interval(r, end, relation))
+        if (!read_names(r, name, &names, &bracket))
             return NULL;
+        int outside = cagd_pass(r, "\\notin");
+        if (!read_interval(r, end, relation))
+            return NULL;
+        if (outside && names > 1)
+            return cagd_refuse_token(r, "one name stands before \\notin");
         int same = !bracket || names == 1 || cagd_pass(r, "^"); /* one interval for all */
         if (bracket && names > 1 && same && (r->token->word[0] != '0' + names || r->token++->word[1] != '\0'))
             return cagd_refuse_token(r, "expected ^%d for %d names", names, names);
@@ -227,34 +333,115 @@ const cagd_tree *cagd_read_members(cagd_reader *r)
                 return NULL;
             if (count == CAGD_MOST_CHILDREN)
                 return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
-            list[count] = cagd_relate(r, from, 3, (const cagd_tree *[]){end[0], name[k], end[1]}, relation);
+            list[count] = between(r, from, end, name[k], relation);
+            if (outside)
+                list[count] = cagd_new_of(r, CAGD_NOT, from, 1, &list[count]);
             if (list[count++] == NULL)
                 return NULL;
         }
-    } while ((cagd_pass(r, ",") || cagd_pass(r, "\\land") || pass_words(r, and)) && cagd_next_is_member(r));
+    } while (pass_to_member(r));
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
+}
+
+/* What follows is what is supposed: "if", \forall of names that have a meaning, a bracket with a relation in it, names and \in. */
+static int pass_supposed(cagd_reader *r)
+{
+    static const char *const words[] = {"if",         "when",     "whenever",      "for",      "for all", "for every",
+                                        "for any",    "for each", "provided that", "provided", "where",   "with",
+                                        "as long as", NULL};
+    const cagd_token *here = r->token;
+    cagd_pass(r, ",");
+    if (pass_words(r, words) || cagd_pass(r, "\\forall") || cagd_next_is_member(r) || cagd_is_truth_in_brackets(r))
+        return 1;
+    r->token = here;
+    return cagd_pass(r, "\\Leftarrow");
+}
+
+/* What is supposed, behind what passes it; a round bracket around it is passed. */
+static const cagd_tree *supposed(cagd_reader *r)
+{
+    const cagd_token *here = r->token;
+    int bracket = cagd_is_truth_in_brackets(r) && cagd_next_is(r, "(");
+    r->token += bracket;
+    if (cagd_next_is_member(r) && bracket) {
+        const cagd_tree *t = cagd_read_members(r);
+        return t != NULL && cagd_expect(r, ")", "the bracket") ? t : NULL;
+    }
+    r->token = here;
+    return cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_alternatives(r);
+}
+
+/* Dots that leave members of a chain out, between `first` and here: of what is supposed every one is needed. */
+static int refuse_dots(cagd_reader *r, const cagd_token *first)
+{
+    if (r->left_out == NULL || r->left_out < first || r->left_out >= r->token)
+        return 0;
+    r->token = r->left_out;
+    cagd_refuse_token(
+        r, "what is left out? the ends of the chain do not say it: write \\forall k \\in \\{0, \\dots, n-1\\}: ...");
+    return 1;
 }
 
 const cagd_tree *cagd_read_truth(cagd_reader *r)
 {
-    static const char *const if_words[] = {"if", "when", "whenever", "for", "for all", "for every", NULL};
-    int from = r->token->from;
+    static const char *const if_words[] = {"if", "when", "whenever", "suppose", "suppose that", NULL};
+    static const char *const then_words[] = {"then", "implies", "implies that", NULL};
+    static const char *const iff_words[] = {"if and only if", "iff", "exactly when", "is equivalent to", NULL};
+    const cagd_token *first = r->token, *second;
+    int from = first->from, begins_with_if = pass_words(r, if_words);
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return quantified(r);
     const cagd_tree *a = cagd_read_alternatives(r), *b = a;
     if (a == NULL)
         return NULL;
-    int implies = cagd_pass(r, "\\Rightarrow"), iff = !implies && cagd_pass(r, "\\iff"),
-        implied = !implies && !iff &&
-                  (cagd_pass(r, "\\Leftarrow") || (cagd_pass(r, ","), pass_words(r, if_words)) ||
-                   cagd_pass(r, "\\forall") || cagd_next_is_member(r));
+    second = r->token;
+    cagd_pass(r, ",");
+    int implies = pass_words(r, then_words);
+    if (!implies)
+        r->token = second;
+    implies |= cagd_pass(r, "\\Rightarrow");
+    if (begins_with_if && !implies)
+        return cagd_refuse_token(r, "expected \\text{then} behind what is supposed, not %s", cagd_name_of_next(r));
+    int iff = !implies && (cagd_pass(r, "\\iff") || pass_words(r, iff_words)),
+        implied = !implies && !iff && pass_supposed(r);
     if (!implies && !iff && !implied)
         return a;
     if (implied && only_names(r))
         return a;
-    b = implies ? cagd_read_truth(r) : cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_alternatives(r);
-    if (b == NULL)
+    if ((implies || iff) && refuse_dots(r, first))
+        return NULL;
+    second = r->token;
+    b = implies                  ? cagd_read_truth(r)
+        : implied                ? supposed(r)
+        : cagd_next_is_member(r) ? cagd_read_members(r)
+                                 : cagd_read_alternatives(r);
+    if (b == NULL || (!implies && refuse_dots(r, second)))
         return NULL;
     const cagd_tree *pair[2] = {implied ? b : a, implied ? a : b};
     return cagd_new_of(r, iff ? CAGD_IFF : CAGD_IMPLIES, from, 2, pair);
+}
+
+/* \forall x, y: A, \forall t \in [0,1]: A, the names having a meaning and A being all that follows: A for all of them, or with that supposed. */
+const cagd_tree *cagd_read_for_all_numbers(cagd_reader *r)
+{
+    const cagd_tree *said[CAGD_MOST_INDICES + 1];
+    int count = 0, from = r->token->from;
+    while (cagd_forall_of_names(r)) {
+        cagd_pass(r, "\\forall");
+        if (count == CAGD_MOST_INDICES)
+            return cagd_refuse_token(r, "more than %d quantifiers", CAGD_MOST_INDICES);
+        if (pass_all_numbers_named(r))
+            ;
+        else if ((said[count++] = cagd_read_members(r)) == NULL)
+            return NULL;
+        if (!cagd_pass(r, ":") && !cagd_pass(r, ","))
+            cagd_pass(r, ";");
+    }
+    const cagd_tree *a = cagd_read_truth(r);
+    if (a == NULL || count == 0)
+        return a;
+    if (a->kind == CAGD_IMPLIES)
+        said[count++] = a->at[0], a = a->at[1];
+    const cagd_tree *all = count > 1 ? cagd_new_of(r, CAGD_ALL, from, count, said) : said[0];
+    return cagd_new_of(r, CAGD_IMPLIES, from, 2, (const cagd_tree *[]){all, a});
 }

@@ -26,6 +26,7 @@ typedef struct cagd_reader {
     int amounts;   /* and | that of a number                                  */
     int ends;      /* where a range is read: dots stand between its ends      */
     int nodes;
+    const cagd_token *left_out; /* the last dots that leave steps of a chain out */
 } cagd_reader;
 
 enum { CAGD_MOST_NODES = 20000 };
@@ -85,6 +86,10 @@ const cagd_tree *cagd_in_square_brackets(cagd_reader *r, const cagd_tree *t);
 const cagd_tree *cagd_fill_dots(cagd_reader *r, cagd_tree_kind kind, const cagd_token *dots,
                                 const cagd_tree *const before[], int count, const cagd_tree *last, int signs_differ,
                                 int *start);
+/* Dots between members of a chain, with one relation between all of before[0..count) and the last one: that it is between any two neighbours from
+ * before[*start] on, if the ends say which; NULL and no error where they do not. */
+const cagd_tree *cagd_fill_chain(cagd_reader *r, const cagd_tree *const before[], int count, const cagd_tree *last,
+                                 cagd_relation relation, int *start);
 /* A chain of relations; between vectors, of each component. */
 const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tree *const list[],
                              const cagd_relation relation[]);
@@ -111,6 +116,9 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r);
 const cagd_tree *cagd_read_alternatives(cagd_reader *r);
 /* What is true or false: conditions, with implications, "or", "not" and quantifiers between. */
 const cagd_tree *cagd_read_truth(cagd_reader *r);
+/* A truth, perhaps behind \forall and names that stand for all numbers anyway. */
+const cagd_tree *cagd_read_for_all_numbers(cagd_reader *r);
+int cagd_forall_of_names(const cagd_reader *r);
 /* Whether names and \in come next, with no relation before it: what follows is said of them. */
 int cagd_next_is_member(const cagd_reader *r);
 const cagd_tree *cagd_read_members(cagd_reader *r);
@@ -132,6 +140,12 @@ int cagd_begins_name(const cagd_reader *r);
 const cagd_tree *cagd_read_name(cagd_reader *r);
 /* {B_i^n}'(t): a name in brackets, and primes and arguments behind them. */
 const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t);
+/* Whether the square bracket that comes next has functions or vectors in it, so that it is a factor. */
+int cagd_bracket_has_function(const cagd_reader *r);
+/* Whether the round bracket that comes next has a relation in it, so that it is no factor: (x > 0). */
+int cagd_is_truth_in_brackets(const cagd_reader *r);
+/* t to a power, t a number or a matrix; with halves, 3/2, a power of the square root. */
+const cagd_tree *cagd_power_of(cagd_reader *r, const cagd_tree *t, const cagd_tree *power, int from);
 /* Whether t is a function without its arguments; whether such a one is in it, and a bracket comes next, which can be its arguments or a
  * factor, or primes: then an error.  A bracket with functions is a factor. */
 int cagd_is_bare_function(const cagd_reader *r, const cagd_tree *t);

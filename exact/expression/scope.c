@@ -2,6 +2,7 @@
 
 #include "exact/words.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -107,18 +108,41 @@ static int distance(const char *a, const char *b)
     return row[n];
 }
 
-/* How far a name that is known is from one that is not: the same letter with another decoration is near. */
+/* The letters of a name without its faces, star and indices: "P" of "\\mathbf{P}^*_", "\\omega" of "\\hat{\\omega}_". */
+static int letters_of(const char *head, int room, char letters[])
+{
+    int count = 0;
+    for (const char *c = head; *c != '\0' && *c != '_' && *c != '^' && *c != '\'' && count + 1 < room;) {
+        int n = 1;
+        while (*c == '\\' && ((c[n] >= 'a' && c[n] <= 'z') || (c[n] >= 'A' && c[n] <= 'Z')))
+            n++;
+        int is_face = *c == '\\' && c[n] == '{';
+        for (int k = 0; k < n && !is_face && *c != '{' && *c != '}' && count + 1 < room; k++)
+            letters[count++] = c[k];
+        c += n;
+    }
+    letters[count] = '\0';
+    return count;
+}
+
+enum { FAR_AWAY = 10000, WHOLE = 100 };
+
+/* How far a name that is known is from one that is not: the same letters with other faces or indices are near, then those of which less than
+ * half is different; of equal ones the whole names count. */
 static int far_from(const char *known, const char *head)
 {
-    size_t n = strcspn(head, "_");
-    const char *found = strstr(known, head);
-    return found != NULL || (n > 0 && strncmp(known, head, n) == 0) ? 0 : distance(known, head);
+    enum { LONGEST = 64 };
+    char a[LONGEST], b[LONGEST];
+    int m = letters_of(known, LONGEST, a), n = letters_of(head, LONGEST, b);
+    int far = distance(a, b),
+        is_case = m == 1 && n == 1 && tolower((unsigned char)a[0]) == tolower((unsigned char)b[0]);
+    return m > 0 && n > 0 && (2 * far < n || is_case) ? WHOLE * far + distance(known, head) : FAR_AWAY;
 }
 
 const char *cagd_nearest(const cagd_scope *scope, const char *head)
 {
     const char *nearest = NULL;
-    int best = ((int)strlen(head) + 1) / 2; /* less than half of it is different */
+    int best = FAR_AWAY;
     for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next) {
         int far = far_from(d->left->head, head);
         if (far < best)

@@ -3,6 +3,7 @@
 #include "exact/words.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 
 /* What is written in several ways, and its one word; "" where it is no token. */
@@ -11,16 +12,26 @@ static const struct {
     const char *written, *word;
 } same[] = {
     {"\\leq", "\\le"}, {"\\geq", "\\ge"}, {"\\neq", "\\ne"}, {"\\leqslant", "\\le"}, {"\\geqslant", "\\ge"},
+    {"\\leqq", "\\le"}, {"\\geqq", "\\ge"}, {"\\nless", "\\ge"}, {"\\ngtr", "\\le"}, {"\\nleq", ">"}, {"\\ngeq", "<"},
+    {"\\coloneqq", ":="}, {"\\coloneq", ":="}, {"\\triangleq", ":="},
     {"\\lt", "<"}, {"\\gt", ">"}, {"\\equiv", "="}, {"\\ldots", "\\dots"}, {"\\cdots", "\\dots"}, {"\\dotsc", "\\dots"},
-    {"\\dotsb", "\\dots"}, {"\\dfrac", "\\frac"}, {"\\tfrac", "\\frac"}, {"\\dbinom", "\\binom"}, {"\\tbinom", "\\binom"},
-    {"\\cdot", "*"}, {"\\ast", "*"}, {"\\star", "*"}, {"\\lVert", "\\|"}, {"\\rVert", "\\|"}, {"\\Vert", "\\|"}, {"\\lvert", "|"}, {"\\rvert", "|"}, {"\\vert", "|"},
+    {"\\dotsb", "\\dots"}, {"\\dotsm", "\\dots"}, {"\\dotso", "\\dots"}, {"\\dfrac", "\\frac"}, {"\\tfrac", "\\frac"},
+    {"\\cfrac", "\\frac"}, {"\\nicefrac", "\\frac"}, {"\\sfrac", "\\frac"}, {"\\dbinom", "\\binom"}, {"\\tbinom", "\\binom"},
+    {"\\cdot", "*"}, {"\\cdotp", "*"}, {"\\ast", "*"}, {"\\star", "*"}, {"\\lVert", "\\|"}, {"\\rVert", "\\|"}, {"\\Vert", "\\|"}, {"\\lvert", "|"}, {"\\rvert", "|"}, {"\\vert", "|"},
     {"\\varepsilon", "\\epsilon"}, {"\\widehat", "\\hat"}, {"\\widetilde", "\\tilde"}, {"\\overline", "\\bar"},
     {"\\colon", ":"}, {"\\lbrace", "\\{"}, {"\\rbrace", "\\}"}, {"\\lbrack", "["}, {"\\rbrack", "]"}, {"\\wedge", "\\land"},
     {"\\left", ""}, {"\\right", ""}, {"\\big", ""}, {"\\Big", ""}, {"\\bigg", ""}, {"\\Bigg", ""}, {"\\bigl", ""},
     {"\\bigr", ""}, {"\\Bigl", ""}, {"\\Bigr", ""}, {"\\biggl", ""}, {"\\biggr", ""}, {"\\Biggl", ""}, {"\\Biggr", ""},
+    {"\\bigm", ""}, {"\\Bigm", ""}, {"\\biggm", ""}, {"\\Biggm", ""}, {"\\mleft", ""}, {"\\mright", ""}, {"\\displaylimits", ""},
+    {"\\scriptstyle", ""}, {"\\thinspace", ""}, {"\\negthinspace", ""}, {"\\medspace", ""}, {"\\thickspace", ""}, {"\\enspace", ""},
+    {"\\enskip", ""}, {"\\hfill", ""}, {"\\strut", ""}, {"\\mathstrut", ""}, {"\\relax", ""}, {"\\boxed", ""}, {"\\ensuremath", ""},
     {"\\middle", ""}, {"\\displaystyle", ""}, {"\\textstyle", ""}, {"\\limits", ""}, {"\\nolimits", ""}, {"\\quad", ""},
     {"\\qquad", ""}, {"\\nonumber", ""}, {"\\notag", ""},
     {"\\,", ""}, {"\\;", ""}, {"\\:", ""}, {"\\!", ""}, {"\\ ", ""}, {"\\>", ""}, {"~", ""},
+    {"\u00a0", ""}, {"\u2002", ""}, {"\u2003", ""}, {"\u2009", ""}, {"\u200a", ""}, {"\u202f", ""}, {"\u3000", ""},
+    {"⩽", "\\le"}, {"⩾", "\\ge"}, {"≦", "\\le"}, {"≧", "\\ge"}, {"⋅", "*"}, {"∗", "*"}, {"⋯", "\\dots"}, {"⟹", "\\Rightarrow"},
+    {"⟸", "\\Leftarrow"}, {"⟺", "\\iff"}, {"∫", "\\int"}, {"∂", "\\partial"}, {"√", "\\sqrt"}, {"⌊", "\\lfloor"}, {"⌋", "\\rfloor"},
+    {"⌈", "\\lceil"}, {"⌉", "\\rceil"}, {"‖", "\\|"}, {"⟨", "\\langle"}, {"⟩", "\\rangle"}, {"∉", "\\notin"}, {"ℕ", "\\N"},
     {"−", "-"}, {"·", "*"}, {"×", "\\times"}, {"≤", "\\le"}, {"≥", "\\ge"}, {"≠", "\\ne"}, {"≡", "="}, {"…", "\\dots"},
     {"∑", "\\sum"}, {"∏", "\\prod"}, {"′", "'"}, {"∞", "\\infty"}, {"∈", "\\in"}, {"ℝ", "\\R"}, {"⇒", "\\Rightarrow"},
     {"\\implies", "\\Rightarrow"}, {"\\Longrightarrow", "\\Rightarrow"}, {"\\impliedby", "\\Leftarrow"},
@@ -49,7 +60,7 @@ int cagd_is_greek(const char *command)
     return 0;
 }
 
-enum { MOST_BARS = 16, FARTHEST_BAR = 4000 };
+enum { MOST_BARS = 16, FARTHEST_BAR = 4000, LONGEST_SCRIPT = 40 };
 
 static int is(const char *s, int n, const char *word)
 {
@@ -120,6 +131,81 @@ static int recognise(const char *s, int n, cagd_token *t)
            (n == 2 && strchr("\\{}|", s[1]) != NULL);
 }
 
+/* Letters and digits that stand above or below the line: what they are on the line. */
+static const struct {
+    const char *written, *word;
+    char script;
+} scripts[] = {{"⁰", "0", '^'}, {"¹", "1", '^'}, {"²", "2", '^'}, {"³", "3", '^'}, {"⁴", "4", '^'}, {"⁵", "5", '^'},
+               {"⁶", "6", '^'}, {"⁷", "7", '^'}, {"⁸", "8", '^'}, {"⁹", "9", '^'}, {"⁺", "+", '^'}, {"⁻", "-", '^'},
+               {"ⁱ", "i", '^'}, {"ʲ", "j", '^'}, {"ᵏ", "k", '^'}, {"ᵐ", "m", '^'}, {"ⁿ", "n", '^'}, {"ᵖ", "p", '^'},
+               {"ʳ", "r", '^'}, {"₀", "0", '_'}, {"₁", "1", '_'}, {"₂", "2", '_'}, {"₃", "3", '_'}, {"₄", "4", '_'},
+               {"₅", "5", '_'}, {"₆", "6", '_'}, {"₇", "7", '_'}, {"₈", "8", '_'}, {"₉", "9", '_'}, {"₊", "+", '_'},
+               {"₋", "-", '_'}, {"ᵢ", "i", '_'}, {"ⱼ", "j", '_'}, {"ₖ", "k", '_'}, {"ₘ", "m", '_'}, {"ₙ", "n", '_'},
+               {"ₚ", "p", '_'}};
+enum { SCRIPTS = sizeof scripts / sizeof *scripts };
+
+/* The number of what stands above or below the line at s, -1 where it is nothing of that. */
+static int script_at(const char *s, int n)
+{
+    for (int k = 0; k < SCRIPTS && (unsigned char)s[0] >= 0x80; k++)
+        if (is(s, length_at(s, n), scripts[k].written))
+            return k;
+    return -1;
+}
+
+/* Scripts of one kind side by side are one group: xᵢ₊₁ is x_{i+1}.  The tokens go to list[*count], ...; what is behind them comes out. */
+static int read_scripts(const char *text, int at, int to, cagd_token list[], int *count)
+{
+    int which = script_at(text + at, to - at), from = at;
+    char script = scripts[which].script;
+    list[(*count)++] =
+        (cagd_token){CAGD_TOKEN_SIGN, script == '^' ? "^" : "_", from, from + length_at(text + at, to - at)};
+    cagd_token *open = &list[(*count)++];
+    while (at < to && (which = script_at(text + at, to - at)) >= 0 && scripts[which].script == script) {
+        int end = at + length_at(text + at, to - at);
+        const char *word = scripts[which].word;
+        cagd_token *last = &list[*count - 1];
+        if (last > open && isdigit((unsigned char)word[0]) && last->kind == CAGD_TOKEN_NUMBER) { /* x₁₂ */
+            char digits[24];
+            snprintf(digits, sizeof digits, "%.20s%s", last->word, word);
+            last->word = cagd_text_of(digits, (int)strlen(digits)), last->to = end;
+        } else {
+            list[(*count)++] = (cagd_token){isdigit((unsigned char)word[0])   ? CAGD_TOKEN_NUMBER
+                                            : isalpha((unsigned char)word[0]) ? CAGD_TOKEN_LETTER
+                                                                              : CAGD_TOKEN_SIGN,
+                                            word, at, end};
+        }
+        at = end;
+    }
+    *open = (cagd_token){CAGD_TOKEN_SIGN, "{", from, from};
+    list[(*count)++] = (cagd_token){CAGD_TOKEN_SIGN, "}", at, at};
+    return at;
+}
+
+/* For the page, with a group behind it that means nothing; and what sets a group above the sign behind it, \stackrel{(1)}{=}. */
+static const char *const without_meaning[] = {"\\hspace",   "\\vspace",   "\\mspace",  "\\phantom",
+                                              "\\vphantom", "\\hphantom", "\\label",   "\\tag",
+                                              "\\color",    "\\stackrel", "\\overset", "\\underset"};
+
+/* Behind the group of such a word s[0..n), which ends at `at`; `at` where there is none. */
+static int behind_meaningless(const char *text, const char *s, int n, int at, int to)
+{
+    int depth = 0, is_one = 0, k = at;
+    for (size_t m = 0; m < sizeof without_meaning / sizeof *without_meaning; m++)
+        is_one |= is(s, n, without_meaning[m]);
+    k += is_one && k < to && text[k] == '*';
+    while (is_one && k < to && isspace((unsigned char)text[k]))
+        k++;
+    if (!is_one || k == to || text[k] != '{')
+        return at;
+    for (; k < to; k++) {
+        depth += (text[k] == '{') - (text[k] == '}');
+        if (depth == 0)
+            return k + 1;
+    }
+    return at;
+}
+
 /* The bar of \left. ... \right|_{t=a}, whose \left. ends at `at`; -1 where it is another bracket, or far. */
 static int bar_behind(const char *text, int at, int to)
 {
@@ -139,9 +225,80 @@ static int bar_behind(const char *text, int at, int to)
     return -1;
 }
 
+/* ---- what is one word though it is written with several ------------------------------------------------- */
+
+/* {=}, which is there for the space around it; \not=; {\bf P}, which is \mathbf{P}; \mathrm{sin}, \operatorname{sin}. */
+/* clang-format off */
+static const struct {
+    const char *written, *word;
+} relations[] = {{"=", "\\ne"}, {"<", "\\ge"}, {">", "\\le"}, {"\\le", ">"}, {"\\ge", "<"}, {"\\ne", "="}, {"\\in", "\\notin"}},
+  fonts[] = {{"\\bf", "\\mathbf"}, {"\\rm", "\\mathrm"}, {"\\it", "\\mathit"}, {"\\cal", "\\mathcal"}, {"\\sf", "\\mathsf"},
+             {"\\bfseries", "\\mathbf"}},
+  functions[] = {{"sin", "\\sin"}, {"cos", "\\cos"}, {"tan", "\\tan"}, {"cot", "\\cot"}, {"det", "\\det"}, {"max", "\\max"}, {"min", "\\min"}};
+/* clang-format on */
+
+static const char *relation_not(const char *word)
+{
+    for (size_t k = 0; k < sizeof relations / sizeof *relations; k++)
+        if (strcmp(relations[k].written, word) == 0)
+            return relations[k].word;
+    return NULL;
+}
+
+static const char *font_of(const char *word)
+{
+    for (size_t k = 0; k < sizeof fonts / sizeof *fonts; k++)
+        if (strcmp(fonts[k].written, word) == 0)
+            return fonts[k].word;
+    return NULL;
+}
+
+/* The function whose letters stand in braces at t; behind the brace something follows, so that it is no label, as in P_{\mathrm{min}}. */
+static const char *function_in_braces(const cagd_token *t)
+{
+    for (size_t k = 0; k < sizeof functions / sizeof *functions; k++) {
+        const char *c = functions[k].written;
+        const cagd_token *s = t + 1;
+        while (*c != '\0' && s->word[0] == *c && s->word[1] == '\0')
+            c++, s++;
+        if (*c == '\0' && strcmp(s->word, "}") == 0 && s[1].kind != CAGD_TOKEN_END && strcmp(s[1].word, "}") != 0)
+            return functions[k].word;
+    }
+    return NULL;
+}
+
+static void simplify(cagd_token list[], int *count)
+{
+    enum { OF_FUNCTION = 6 }; /* \mathrm { s i n } */
+    int to = 0;
+    for (int k = 0; k <= *count; k++, to++) {
+        const char *word;
+        list[to] = list[k];
+        if (k + 2 <= *count && strcmp(list[k].word, "{") == 0 && relation_not(list[k + 1].word) != NULL &&
+            strcmp(list[k + 2].word, "}") == 0) {
+            list[to] = list[k + 1];
+            k += 2;
+        } else if (strcmp(list[k].word, "\\not") == 0 && (word = relation_not(list[k + 1].word)) != NULL) {
+            list[to] =
+                (cagd_token){word[0] == '\\' ? CAGD_TOKEN_WORD : CAGD_TOKEN_SIGN, word, list[k].from, list[k + 1].to};
+            k++;
+        } else if (strcmp(list[k].word, "{") == 0 && (word = font_of(list[k + 1].word)) != NULL) {
+            list[to] = (cagd_token){CAGD_TOKEN_WORD, word, list[k].from, list[k + 1].to};
+            list[++to] = (cagd_token){CAGD_TOKEN_SIGN, "{", list[k].from, list[k + 1].to};
+            k++;
+        } else if (k + OF_FUNCTION <= *count && (k == 0 || strchr("_^", list[k - 1].word[0]) == NULL) &&
+                   (strcmp(list[k].word, "\\mathrm") == 0 || strcmp(list[k].word, "\\operatorname") == 0) &&
+                   strcmp(list[k + 1].word, "{") == 0 && (word = function_in_braces(list + k + 1)) != NULL) {
+            list[to] = (cagd_token){CAGD_TOKEN_WORD, word, list[k].from, list[k + OF_FUNCTION - 1].to};
+            k += OF_FUNCTION - 1;
+        }
+    }
+    *count = to - 1;
+}
+
 cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *error)
 {
-    int count = 0, room = (to - from < CAGD_MOST_TOKENS ? to - from : CAGD_MOST_TOKENS) + 1;
+    int count = 0, room = 2 * (to - from < CAGD_MOST_TOKENS ? to - from : CAGD_MOST_TOKENS) + 2 * LONGEST_SCRIPT + 1;
     cagd_token *list = cagd_region_array(room, 1, sizeof *list);
     int bar[MOST_BARS], bars = 0; /* that end what \left. begins */
     for (int at = from; list != NULL && at < to;) {
@@ -156,12 +313,18 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
                 at++;
             continue;
         }
+        if (script_at(s, n) >= 0 && count < CAGD_MOST_TOKENS) {
+            at = read_scripts(text, at, n < LONGEST_SCRIPT ? to : at + LONGEST_SCRIPT, list, &count);
+            continue;
+        }
         cagd_token t = {.from = at};
         int digits = digits_at(s, n);
         if (digits > 0) {
             t.kind = CAGD_TOKEN_NUMBER, t.word = cagd_text_of(s, digits), t.to = at + digits;
             if (t.word == NULL)
                 break;
+        } else if (n > 1 && s[0] == ':' && s[1] == '=') {
+            t.kind = CAGD_TOKEN_SIGN, t.word = ":=", t.to = at + 2;
         } else if (n > 1 && s[0] == '.' && s[1] == '.') {
             t.kind = CAGD_TOKEN_WORD, t.word = "\\dots", t.to = at + (n > 2 && s[2] == '.' ? 3 : 2);
         } else {
@@ -186,9 +349,12 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
         }
         for (int k = 0; k < bars; k++)
             t.word = bar[k] == t.from ? "\\right|" : t.word;
-        if (t.word[0] == '\0')
+        int behind = behind_meaningless(text, s, t.to - t.from, at, to);
+        if (t.word[0] == '\0' || behind > at) {
+            at = behind;
             continue;
-        if (count == room - 1) {
+        }
+        if (count >= CAGD_MOST_TOKENS) {
             cagd_refuse_reading(error, t.from, t.to, "the formula is longer than %d signs", CAGD_MOST_TOKENS);
             return NULL;
         }
@@ -199,5 +365,6 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
         return NULL;
     }
     list[count] = (cagd_token){.kind = CAGD_TOKEN_END, .word = "", .from = to, .to = to};
+    simplify(list, &count);
     return list;
 }

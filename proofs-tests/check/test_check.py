@@ -226,6 +226,56 @@ class Language(unittest.TestCase):
     def test_dots_between_the_ends_of_a_range_are_no_product(self):
         self.assertEqual(verdict("x_i + x_0 = x_0 + x_i", r"n = 3, i = 0 \dots n")["scope"].split(",")[0], "i = 0 to n")
 
+    def test_dots_of_chains_are_every_neighbour(self):
+        """Where the ends say what is left out, it is said; between two values steps of a calculation are."""
+        let = "w_i \\in \\mathbb{R}\n"
+        for printed, ranges, expected in (
+                (r"w_0 = w_1 = \dots = w_n = 1 \Rightarrow \sum_{i=0}^n w_i = n+1", "n = 1..3", "holds"), (r"w_0 = w_1 = \dots = w_n = 1 \Rightarrow \sum_{i=0}^n w_i = n", "n = 1..3", "fails"),
+                (r"w_0 < w_1 < \dots < w_n \Rightarrow w_0 < w_2", "n = 2..4", "holds"), (r"w_0 < w_1 < \dots < w_n \Rightarrow w_2 < w_1", "n = 2..4", "fails"),
+                (r"w_0 < \dots < w_n \Rightarrow w_0 < w_1", "n = 1..3", "holds"), (r"w_1 \le \dots \le w_n \le x \Rightarrow w_1 \le x", "n = 2..4", "holds"),
+                (r"w_0 = w_1 = \dots = w_n", "n = 2..3", "fails"), (r"F(0) = F(1) = \dots = F(n)", "n = 1..3", "fails"), (r"0 F(0) = 0 F(1) = \dots = 0 F(n)", "n = 1..3", "holds"),
+                (r"w_0 = w_1 = \dots = w_n \Rightarrow w_0 = w_2", "n = 0..1", "fails"), (r"(x+y)^2 = \dots = x^2 + 2xy + y^2", "n = 1", "holds"), (r"(x+y)^2 = \dots = x^2 + y^2", "n = 1", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+
+    def test_what_is_said_of_one_name_is_not_said_of_its_kind(self):
+        for said in ("w_0 > 0\nw_1, w_2 \\ge 0\n0 < w_3 < 1\nw_4 \\in [0,1]\nz_{0,1} > 0\n", "w_i, z_{ij} \\in \\mathbb{R}\nw_0 > 0\nw_1, w_2 \\ge 0\n0 < w_3 < 1\nw_4 \\in [0,1]\nz_{0,1} > 0\n"):
+            for printed, expected in (
+                    ("w_0 > 0", "holds"), ("w_5 > 0", "fails"), ("w_1 > 0", "fails"), ("w_0 + w_1 + w_2 > 0", "holds"), ("w_3 w_4 \\le 1", "holds"), ("w_3 w_4 \\le 1/2", "fails"), ("z_{01} > 0", "holds"), ("z_{10} > 0", "fails"),
+                    ("w_0 (1-t)^2 + 2 w_1 t (1-t) + w_2 t^2 \\ge 0", "holds"), ("w_0 (1-t)^2 + 2 w_1 t (1-t) + w_5 t^2 \\ge 0", "fails")):
+                with self.subTest(printed=printed):
+                    self.assertEqual(verdict(printed, "0 \\le t \\le 1", said)["verdict"], expected)
+        self.assertEqual(verdict("w_0 w_1 > 0", "n = 1", "w_i > -1\nw_0 > 0\n")["verdict"], "fails")
+        self.assertEqual(verdict("w_1 > -1 \\land w_0 > 0", "n = 1", "w_i > -1\nw_0 > 0\n")["verdict"], "holds")
+        self.assertEqual(verdict("w_1 + w_0 > -1", "n = 1", "w_i > -1\nw_0 > 0\n")["scope"], "−1 < wᵢ, 0 < w₀")
+
+    def test_ways_to_write_one_thing(self):
+        """Each true formula, and the same with a fault."""
+        let = "0 \\le s, z \\le 1\n\\mathbf{a}, \\mathbf{b}, \\mathbf{c} \\in ℝ^3\n\\mathbf{P}_0, \\dots, \\mathbf{P}_2 \\in \\mathbb{R}^2\n{\\bf Q}_i, w \\in \\mathbb{R}\ng(t) := t^2\nh(t) = t^3 \\quad (0 \\le t \\le 1)\nH(u,v) = u^2 v\n"
+        for printed, expected in (
+                (r"\sum^n_{i=0} B_i^n(t) = 1", "holds"), (r"\sum^n_{i=1} B_i^n(t) = 1", "fails"), (r"\prod\limits^{n}_{k=1} k = n!", "holds"),
+                (r"\int_0^1 \int_0^u v\, dv\, du = \frac16", "holds"), (r"\int_0^1 \int_0^1 v\, {\rm d}v\, \text{d}u = \frac16", "fails"), (r"\int_0^2 du = 2", "holds"),
+                (r"\frac{\partial}{\partial u} H(u,v)|_{u=1,v=2} = 4", "holds"), (r"\frac{\partial}{\partial u} H(u,v)|_{v=2, u=1} = 0", "fails"), (r"H(u,v)|_{(u,v)=(2,3)} = 12", "holds"), (r"[v^2]_{v=3} = 9", "holds"), (r"\left(v^2\right)_{v=3} = 6", "fails"),
+                (r"(F(t))' = 2t", "holds"), (r"[F(t)]'' = 2t", "fails"), (r"F{(2)} = 4", "holds"),
+                (r"\tan x = \frac{\sin x}{\cos x}", "holds"), (r"1 + \cot^2 x = \frac{1}{\cos^2 x}", "fails"), (r"\mathrm{sin}(x) + \operatorname{cos} x = \cos x + \sin x", "holds"),
+                (r"u^{1/2} u^{\frac12} = u \text{ for } u \ge 0", "holds"), (r"u^{3/2} = u \text{ for } u \ge 0", "fails"), (r"u^{-1/2} \sqrt{u} = 1 \text{ for } u > 0", "holds"),
+                (r"\langle \mathbf{a}, \mathbf{b} \rangle = \mathbf{b} \cdot \mathbf{a}", "holds"), (r"⟨\mathbf{a}, \mathbf{b}⟩ = 0", "fails"), (r"\mathbf{a} \cdot \mathbf{b} \times \mathbf{c} = (\mathbf{a}, \mathbf{b}, \mathbf{c})", "holds"),
+                (r"\begin{bmatrix} 1-t & t \end{bmatrix} \begin{bmatrix} \mathbf{P}_0 \\ \mathbf{P}_1 \end{bmatrix} = (1-t) \mathbf{P}_0 + t \mathbf{P}_1", "holds"), (r"[1-t, t] \begin{pmatrix} \mathbf{P}_1 \\ \mathbf{P}_0 \end{pmatrix} = (1-t) \mathbf{P}_0 + t \mathbf{P}_1", "fails"),
+                (r"\begin{pmatrix} x & y \\ 1 & 2 \end{pmatrix}^0 = \begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix}", "holds"),
+                (r"g(t) = t t", "holds"), (r"{\bf Q}_1 = \mathbf{Q}_1", "holds"), (r"{\bf Q}_1 = \mathbf{Q}_2", "fails"), (r"\not= = 1", None),
+                (r"x \not= y \iff x \neq y", "holds"), (r"x \not< y \iff x > y", "fails"), (r"x \stackrel{(1)}{=} x + 0", "holds"), (r"\underbrace{x + y}_{w} = y + x", "holds"), (r"\boxed{x + y} \tag{3} = x", "fails"),
+                (r"x² + x_1 = x x + x₁", "holds"), (r"xₙ = x_{n}", "holds"), (r"x₁₂ = x_{1}", "fails"), (r"(x + y)² ⩾ 4 x ⋅ y", "holds"), (r"⌊5/2⌋ = 2 ⟺ √4 = 2", "holds"),
+                (r"x > 0 \text{ implies } x^2 > 0", "holds"), (r"\text{If } x > 0, \text{ then } x^2 > x", "fails"), (r"x = y \text{ if and only if } x - y = 0", "holds"), (r"x^2 > 0 \text{ provided that } x > 0", "holds"), (r"x^2 > 1 \text{ where } x > 0", "fails"),
+                (r"x^2 > 0 \quad (x > 0)", "holds"), (r"x^2 > x \quad (x \in [1,2])", "fails"), (r"x^2 \ge x \text{ for } x \in [1, \infty)", "holds"), (r"x^2 \ge x \text{ for } x \in (-\infty, 1]", "fails"), (r"x^2 \ge x \text{ for } 1 \le x < \infty", "holds"), (r"x^2 \ge x \text{ for } x \notin (0,1)", "holds"), (r"x^2 \ge x \text{ for } x \notin (0,1/2)", "fails"),
+                (r"\forall x \in [1,2]: x^2 \ge x", "holds"), (r"x \in [0,1] \iff x^2 \le x", "holds"), (r"x, y \in [0,1] \Rightarrow x + y \le 1", "fails"), (r"(x, y) \in [0,1]^2 \Rightarrow x y \le 1", "holds"), (r"\neg (x \in [0,1]) \Rightarrow x^2 > x", "holds"), (r"x \in (0,1), y > 1 \Rightarrow x < y", "holds"), (r"\forall x \in [0,2]: x^2 \ge x", "fails"), (r"\forall x, y: 2 x y \le x^2 + y^2", "holds"), (r"\forall x, y \in \mathbb{R}: x y \le x^2 + y^2 - 1", "fails"), (r"x^2 \ge 0, \forall x \in \mathbb{R}", "holds"), (r"x^2 \ge x, \forall x \in [0,1]", "fails"),
+                (r"\forall i \in \{1, 2, 3\}: i^2 < 10", "holds"), (r"\forall i = 1, 2, 3: i^2 < 9", "fails"), (r"x_i = x_i + 0, \quad i = 0(1)n", "holds"), (r"x_i = x_0, \quad i = 0(1)n", "fails"), (r"x_i = x_0 \quad \forall i \in \{0, 1\}", "fails"),
+                (r"\begin{cases} x & x \in [0,1] \\ 0 & \text{otherwise} \end{cases} \ge 0", "holds"), (r"\begin{cases} x & x \in [-1,1] \\ 0 & \text{otherwise} \end{cases} \ge 0", "fails"), (r"s z \le 1", "holds"), (r"s + z \le 1", "fails"), (r"x y \le 1 \text{ for } 0 \le x, y \le 1", "holds"), (r"x y < 1 \text{ for } 0 < x, y \le 1", "fails"), (r"x y u \le 8 \text{ if } 0 \le x, y, u \le 2", "holds")):
+            with self.subTest(printed=printed):
+                if expected is None:
+                    self.assertEqual(check(document(printed, let=let)).returncode, 2)
+                else:
+                    self.assertEqual(verdict(printed, "n = 2..3", let)["verdict"], expected)
+
     def test_matrices(self):
         let = r"""M = \begin{pmatrix} 1 & 0 & 0 \\ -2 & 2 & 0 \\ 1 & -2 & 1 \end{pmatrix}
 R(t) = \begin{bmatrix} 1-t & t \\ 0 & t^2 \end{bmatrix}
@@ -264,9 +314,9 @@ L \in \mathbb{R}^{2 \times 3}
                 (r"A \mathbf{w} = \mathbf{w}", "a matrix of 2 rows and 2 columns before a vector of 3 components: there is no such product"),
                 (r"\mathbf{v} A = \mathbf{v}", "a vector of 2 components before a matrix of 2 rows and 2 columns: there is no such product"),
                 (r"A = \mathbf{v}", "a matrix of 2 rows and 2 columns beside a vector of 2 components"), (r"A < A", "vectors are equal or not; none is less than another"),
-                (r"A + K = K", "a matrix of 2 rows and 2 columns beside a matrix of 3 rows and 3 columns"), (r"A^{1/2} = A", "a matrix has powers with numbers from 1 to 12, and ^T"),
+                (r"A + K = K", "a matrix of 2 rows and 2 columns beside a matrix of 3 rows and 3 columns"), (r"A^{1/2} = A", "a matrix has powers with numbers from 0 to 12, and ^T"),
                 (r"\det L = 1", "a determinant is of as many columns as rows, at most 6; this is a matrix of 2 rows and 3 columns"),
-                (r"\det x = 1", "a determinant is of as many columns as rows, at most 6; this is a number"), (r"A^n = A", "a matrix has powers with numbers from 1 to 12, and ^T"),
+                (r"\det x = 1", "a determinant is of as many columns as rows, at most 6; this is a number"), (r"A^n = A", "a matrix has powers with numbers from 0 to 12, and ^T"),
                 (r"L^2 = L", "a power of a matrix of 2 rows and 3 columns"), (r"\|A\| = 1", "the length of what is no vector; of a number it is |a|"),
                 (r"\frac{1}{A} = A", "a matrix where a number is expected"), (r"A \times A = A", "a matrix where a vector is expected"), (r"A + 1 = A", "a number where a vector is expected"),
                 (r"K \mathbf{w} \times \mathbf{z} = \mathbf{w}", "a matrix and two vectors: write brackets"),
@@ -750,7 +800,7 @@ g(s,t) = s^2 t^3
             with self.subTest(printed=printed, ranges=ranges):
                 self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
         s = verdict("x + y < \\sqrt{2}", circle, let)
-        self.assertEqual([v["root"]["of"] for v in s["counterexample"]["values"]], ["x^2 - 1/2", "x^2 - 1/2"])
+        self.assertEqual([v["root"]["of"] for v in s["counterexample"]["values"]], ["2 x^2 - 1", "2 x^2 - 1"])
         self.assertIn("wherever both sides are defined", check(document("\\frac{(x^2-2)^3}{x^2-2} > 0", "n = 1", let)).stdout)
 
     def test_what_is_false_for_a_root_alone(self):
@@ -1049,7 +1099,7 @@ class Certificates(unittest.TestCase):
             found = self.write_ranges(folder, self.RANGES)
             self.assertEqual([s["values"] for s in found], ["0 ≤ u ≤ 7.103230…", "0 ≤ u ≤ 5", "u = −1.414213… and u = 1.414213…", "−1 < u ≤ 1", "u > 0", "u < −1.414213… and u > 1.414213…",
                                                             "1/2 ≤ u < 1"])
-            self.assertEqual(found[0]["roots"], [{"value": "7.103230…", "polynomial_tex": "5\\,x^{3} - 36\\,x^{2} + 4\\,x - 4", "between": ["4", "8"]}])
+            self.assertEqual(found[0]["roots"], [{"value": "7.103230…", "polynomial_tex": "5 x^3 - 36 x^2 + 4 x - 4", "between": ["4", "8"]}])
             self.assertTrue(all(s["certificate"] for s in found))
             code, out = self.recheck(folder)
             self.assertEqual(code, 0, out)
@@ -1357,6 +1407,14 @@ class Ranges(unittest.TestCase):
             self.assertEqual(s["values"].replace("− 1.", "−1."), values.replace("− 1.", "−1."), printed)
         s = self.found("(x-2)^2 > 0", "x", "-1 \\le x \\le 2")
         self.assertEqual(s["values"].replace("− ", "−"), "−1 ≤ x < 2")
+
+    def test_ends_that_are_roots_are_decided_themselves(self):
+        """Where the side of the other name is open or has no end, what is said holds at the root, or it touches there."""
+        for printed, ranges, values in (("t^4 + x t^2 + t + 1 > 0", "t \\in \\mathbb{R}", "x > −0.928622…"), ("t^4 + x t^2 + t + 1 \\ge 0", "t < 0", "x ≥ −0.928622…"), ("t^3 - x t + 1 > 0", "t > 0", "x < 1.889881…"), ("t^3 - x t + 1 > 0", "0 < t < 1", "x < 1.889881…"),
+                                        ("x^2 t < 2", "0 < t < 1", "−1.414213… ≤ x ≤ 1.414213…"), ("x^2 t < 2", "0 < t \\le 1", "−1.414213… < x < 1.414213…"), ("(x^2 - 2) t > 0", "t > 0", "x < −1.414213… and x > 1.414213…")):
+            s = self.found(printed, "x", ranges)
+            self.assertEqual(s["values"].replace("− ", "−"), values, printed)
+            self.assertNotIn("itself it is not decided", check(document(printed, ranges).replace(":for:", ":find: x\n:for:")).stdout)
 
     def test_what_breaks_it_does(self):
         s = self.found("(1 - x t)(1-t) \\ge 0", "x", "0 \\le t \\le 1")

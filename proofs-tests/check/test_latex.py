@@ -54,6 +54,9 @@ SETTINGS = [
     "\\begin{flalign} && @ && \\label{a} \\end{flalign}",
     "\\begin{eqnarray} @ \\label{a} \\nonumber \\end{eqnarray}",
     "\\begin{multline}\\label{a} @ \\end{multline}",
+    "\\begin{IEEEeqnarray}{rCl} u & = & u \\IEEEnonumber \\\\ @ \\IEEEyesnumber\\label{a} \\end{IEEEeqnarray}",
+    "\\begin{IEEEeqnarray*}[\\small]{c} @ \\label{a} \\end{IEEEeqnarray*}",
+    "\\begin{xalignat}{2} @ &\\label{a} \\end{xalignat}",
     "\\begin{equation}\\label{a}\\begin{split} @ \\end{split}\\end{equation}",
     "\\begin{equation}\\label{a}\\begin{aligned}[t] @ \\end{aligned}\\end{equation}",
     "\\begin{subequations}\n\\begin{equation}\\label{a} @ \\end{equation}\\end{subequations}",
@@ -125,6 +128,31 @@ MISTAKES = [
 
 
 class Reading(unittest.TestCase):
+    def test_cases_with_numbers_of_their_own(self):
+        """The left side stands once, and behind & is text with formulas in it."""
+        for second, expected in (("-x", "holds"), ("x", "fails")):
+            for name in ("numcases", "subnumcases"):
+                body = f"\\begin{{{name}}}{{|x| =}} x, & if $x \\ge 0$, \\label{{a}} \\\\ {second} & otherwise. \\label{{b}} \\end{{{name}}}"
+                self.assertEqual(verdicts(source(body)), {"a": expected})
+            self.assertEqual(verdicts(source(f"\\begin{{numcases}}{{|x| =}} x & for $x \\ge 0$ \\\\ {second} & $x < 0$ \\label{{b}} \\end{{numcases}}")), {"b": expected})
+
+    def test_commands_in_comments(self):
+        """The commands of the author stand for the same there, before the document begins, too."""
+        preamble = "\\newcommand{\\R}{\\mathbb{R}}\n\\let\\eps\\varepsilon\n\\newcommand{\\vc}[1]{\n\\mathbf{#1}}\n% cagd: let \\eps, z \\in \\R\n% cagd: let \\vc{a} \\in \\R^2 % two\n\\newcommand{\\unit}{0 \\le z \\le 1}"
+        formula = "\\begin{equation}\\label{a} \\eps + z \\le \\eps + 1, \\quad \\vc a + \\vc{a} = 2 \\vc a % cagd: for \\unit\n\\end{equation}"
+        self.assertEqual(verdicts(source(formula, preamble)), {"a": "holds"})
+        self.assertEqual(verdicts(source(formula.replace("\\eps + 1", "\\eps"), preamble)), {"a": "fails"})
+
+    def test_what_is_not_followed_is_told(self):
+        formula = "\\begin{equation}\\label{a} x + y = y + x \\end{equation}"
+        r = check(source(formula, "\\input{macros}\n\\include{one}"))
+        self.assertEqual(r.returncode, 0)
+        self.assertEqual([line.split(": ", 2)[1:] for line in r.stderr.splitlines() if line.startswith("cagd:")],
+                         [["standard input:2:1", "this file is not read: its commands and formulas are not known here"], ["standard input:3:1", "this file is not read: its commands and formulas are not known here"]])
+        r = check(source(formula + "\n\\begin{empheq}{align} x = y \\label{b} \\end{empheq}"))
+        self.assertEqual(r.returncode, 0)
+        self.assertIn("standard input:8:1: formulas in this environment are not read", r.stderr)
+
     def test_settings(self):
         for setting in SETTINGS:
             for formula, expected in (("x + x = 2 x", "holds"), ("x + x = 3 x", "fails")):

@@ -217,7 +217,8 @@ static void test_definitions(void **state)
     assert_true(define("h = 7"));
     assert_null(cagd_defined(&before, "h"));
     assert_non_null(cagd_defined(&scope, "h"));
-    assert_null(cagd_nearest(&scope, "z"));
+    assert_null(cagd_nearest(&scope, "v"));
+    assert_string_equal(cagd_nearest(&scope, "\\hat{w}^*_"), "w^*_"); /* of equal letters the nearest */
     assert_string_equal(cagd_nearest(&scope, "P"), "P_");
     /* Cox and de Boor: 0/0 = 0, and 1/0 beside a factor 0 */
     value_of("0/0");
