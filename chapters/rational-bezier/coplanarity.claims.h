@@ -270,55 +270,45 @@ third coordinate of its image is 0.
 :::
 
 :::{claim} motion_takes_a_plane_to_the_coordinate_plane
-:title: A motion takes any plane to the xy-plane, and any line of the plane to the x-axis
-:zh: 存在运动将任一平面化为 xy 平面, 将任一直线化为 x 轴
+:title: A motion takes any plane to the xy-plane
+:zh: 存在运动将任一平面化为 xy 平面
 :types: field rational
-:given: a plane $n\cdot X+d=0$ with the unit normal $n=\frac{(2p,\,2q,\,1-p^2-q^2)}{1+p^2+q^2}$, $m=(p,q,1)$; a line $n\cdot X+d=0$ of the plane with $n=(s,c)=\frac{(2p,\,1-p^2)}{1+p^2}$; a
-  point $X$
-:let: $H=\frac2{m\cdot m}mm^T-I$, and in the plane $H=\begin{pmatrix}c&-s\\s&c\end{pmatrix}$; $e$ the last axis
+:given: a plane $n\cdot X+d=0$ with the unit normal $n=\frac{(2p,\,2q,\,1-p^2-q^2)}{1+p^2+q^2}$, $m=(p,q,1)$; a point $X$
+:let: $H=\frac2{m\cdot m}mm^T-I$; $e=(0,0,1)$
 :then: $HH^T=I$, $\det H=1$, and the last coordinate of $HX+d\,e$ is $n\cdot X+d$
-:method: Identities in $p$, $q$, $d$ and $X$.  Every unit vector but $-e$ is such an $n$; with $-e$ the same plane or line has the normal $e$, for
+:method: Identities in $p$, $q$, $d$ and $X$.  Every unit vector but $-e$ is such an $n$; with $-e$ the same plane has the normal $e$, for
   which $p=q=0$.
-:scope: every plane of space and every line of the plane
+:scope: every plane of space
 :over: p q d x: -
 :control: the sign of $d$
 :::
 */
 CLAIM(motion_takes_a_plane_to_the_coordinate_plane)
 {
-    num one = from_int(1), two = from_int(2), zero = from_int(0), p = unknown(T, "p", 0), q = unknown(T, "q", 0);
-    num d = unknown(T, "d", 0), X[3], m[3] = {p, q, one}, H[3][3], pp = mul(p, p), qq = mul(q, q);
-    num size = add(one, add(pp, qq)), n[3] = {div(mul(two, p), size), div(mul(two, q), size), zero};
-    n[2] = div(sub(one, add(pp, qq)), size);
-    for (int dim = 3; dim >= 2; dim--) {
-        num value = d, image = fault(T, d, neg(d));
-        if (dim == 2) { /* the line */
-            n[0] = div(mul(two, p), add(one, pp));
-            n[1] = div(sub(one, pp), add(one, pp));
-        }
-        for (int i = 0; i < dim; i++)
-            X[i] = unknown(T, "x", i);
-        for (int i = 0; i < dim; i++)
-            for (int j = 0; j < dim; j++) {
-                num turned = i == j ? n[1] : i == 0 ? neg(n[0]) : n[0];
-                H[i][j] = dim == 2 ? turned : sub(div(mul(two, mul(m[i], m[j])), size), from_int(i == j));
-            }
-        about(T, dim == 3 ? "a motion of space" : "a motion of the plane");
-        for (int i = 0; i < dim; i++)
-            for (int j = 0; j < dim; j++) {
-                num product = zero;
-                for (int k = 0; k < dim; k++)
-                    product = add(product, mul(H[i][k], H[j][k]));
-                same(T, product, from_int(i == j));
-            }
-        same(T, dim == 3 ? G(det3)(H[0], H[1], H[2]) : sub(mul(H[0][0], H[1][1]), mul(H[0][1], H[1][0])), one);
-        for (int j = 0; j < dim; j++) {
-            value = add(value, mul(n[j], X[j]));
-            image = add(image, mul(H[dim - 1][j], X[j]));
-        }
-        about(T, "the last coordinate of the image");
-        same(T, image, value);
+    num one = from_int(1), two = from_int(2), p = unknown(T, "p", 0), q = unknown(T, "q", 0), d = unknown(T, "d", 0);
+    num m[3] = {p, q, one}, pp = mul(p, p), qq = mul(q, q), size = add(one, add(pp, qq)), X[3], H[3][3];
+    num n[3] = {div(mul(two, p), size), div(mul(two, q), size), div(sub(one, add(pp, qq)), size)};
+    for (int i = 0; i < 3; i++) {
+        X[i] = unknown(T, "x", i);
+        for (int j = 0; j < 3; j++)
+            H[i][j] = sub(div(mul(two, mul(m[i], m[j])), size), from_int(i == j));
     }
+    about(T, "a motion of space");
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            num product = from_int(0);
+            for (int k = 0; k < 3; k++)
+                product = add(product, mul(H[i][k], H[j][k]));
+            same(T, product, from_int(i == j));
+        }
+    same(T, G(det3)(H[0], H[1], H[2]), one);
+    num value = d, image = fault(T, d, neg(d));
+    for (int j = 0; j < 3; j++) {
+        value = add(value, mul(n[j], X[j]));
+        image = add(image, mul(H[2][j], X[j]));
+    }
+    about(T, "the last coordinate of the image");
+    same(T, image, value);
 }
 
 /*

@@ -230,8 +230,8 @@ CLAIM(negative_weight_breaks_convexity)
 
 /*
 For a polynomial curve one ratio is marked on a strip of paper and copied to all edges of all levels.  Here the strip
-would have to be marked anew for each edge.  One triangle with three weights shows that level, edge and weights matter
-each by itself: the coefficients that are compared differ in one of the three only.  There are weights for which the
+would have to be marked anew for each edge.  One triangle with three weights shows that parameter, level, edge and weights matter
+each by itself: the coefficients that are compared differ in one of the four only.  There are weights for which the
 strip still serves, and they are found by asking when two neighbouring edges are cut alike: the geometric sequences.
 
 :::{statement} wang-ch3:rem-3.3.1-coefficients
@@ -240,23 +240,23 @@ strip still serves, and they are found by asking when two neighbouring edges are
 :printed: But it should be noted that the cut coefficients depend here not only on the parameter $\lambda$ of the point of division, but also on the level of cutting of the
   polygon, the number $i$ of the edge and the weights $\omega_i$.
 :holds-by: cut_depends_on_level_edge_and_weights
-:example: that a number depends on something is shown by one instance in which it changes with that alone; here there is one for each of level, edge and weights.
+:example: that a number depends on something is shown by one instance in which it changes with that alone; here there is one for each of parameter, level, edge and weights.
 :reading: geometric_weights_cut_evenly | for exactly the geometric weights $\omega_i=\omega_0q^i$, equal ones among
   them, it is as for polynomials: one ratio on all edges of all levels
 :::
 
 :::{claim} cut_depends_on_level_edge_and_weights
-:title: Each of level, edge and weights changes the ratio
-:zh: 层数、边序号、权均影响割角系数
+:title: Each of parameter, level, edge and weights changes the ratio
+:zh: 参数、层数、边序号、权均影响割角系数
 :kind: decision
-:data: ω = 1 1 2; other ω = 1 1 1; λ = 1/2
+:data: ω = 1 1 2; other ω = 1 1 1; λ = 1/2; other λ = 1/3
 :instead: ω = 1 1 1
-:result: α_2^1 = 2/3; α_1^1 = 1/2; α_2^2 = 3/5; α_2^1 of the other ω = 1/2
-:given: two triples of weights, and $\lambda$ in the middle
+:result: α_2^1 = 2/3; α_2^1 at the other λ = 1/2; α_1^1 = 1/2; α_2^2 = 3/5; α_2^1 of the other ω = 1/2
+:given: two triples of weights, $\lambda$ in the middle, and another $\lambda$
 :let: $\alpha_i^r=\lambda\omega_i^{r-1}/\omega_i^r$, the coefficient of the second point in (3.3.3)
-:then: $\alpha_2^1$ differs from $\alpha_1^1$, which has another edge; from $\alpha_2^2$, which has another level; and from
-  $\alpha_2^1$ of the other weights
-:method: The weights of the triangle are computed exactly; each of the three differs from $\alpha_2^1$ in one thing only.
+:then: $\alpha_2^1$ differs from $\alpha_2^1$ at the other $\lambda$; from $\alpha_1^1$, which has another edge; from $\alpha_2^2$, which has another
+  level; and from $\alpha_2^1$ of the other weights
+:method: The weights of the triangle are computed exactly; each of the four differs from $\alpha_2^1$ in one thing only.
 :control: the other weights throughout
 :::
 */
@@ -279,11 +279,14 @@ CLAIM(cut_depends_on_level_edge_and_weights)
     num lambda = given(T, "λ"), here = G(second_coefficient)(w, lambda, 1, 2);
     num edge = G(second_coefficient)(w, lambda, 1, 1), level = G(second_coefficient)(w, lambda, 2, 2);
     num weights = G(second_coefficient)(other, lambda, 1, 2);
+    num elsewhere = G(second_coefficient)(w, given(T, "other λ"), 1, 2);
     found(T, "α_2^1", here);
+    found(T, "α_2^1 at the other λ", elsewhere);
     found(T, "α_1^1", edge);
     found(T, "α_2^2", level);
     found(T, "α_2^1 of the other ω", weights);
-    about(T, "whether edge, level and weights, each by itself, change the coefficient");
+    about(T, "whether parameter, edge, level and weights, each by itself, change the coefficient");
+    agree(T, !equal_q(here, elsewhere));
     agree(T, !equal_q(here, edge));
     agree(T, !equal_q(here, level));
     agree(T, !equal_q(here, weights));

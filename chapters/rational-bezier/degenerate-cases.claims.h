@@ -344,7 +344,7 @@ CLAIM(zero_alpha_collapses)
 :title: A Bézier curve can be restored to a rational one
 :zh: Bézier 曲线可还原为有理形式
 :printed: That is, regarded as a degenerate case of the curve (3.2.2), the Bézier curve (1.3.2) can also be restored to (3.2.2).
-:holds-by: geometric_weights_term_by_term
+:holds-by: geometric_weights_term_by_term alpha_runs_the_interval_once
 :confirmed-by: geometric_weights_reparametrize_bezier unit_invariants_give_polynomial_curve equal_invariants_mean_geometric_ratios
 :needs: negative_alpha_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\alpha>0$; positive
   weights $\alpha^i$ mean it

@@ -257,7 +257,7 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
 /*
 :::{claim} end_derivative_vectors_in_every_degree
 :title: The first three derivatives at both ends in terms of the edges, for every n
-:zh: t=0 处前三阶导矢用边矢表示（任意 n）
+:zh: 两端前三阶导矢用边矢表示（任意 n）
 :given: any $n$; weights, $\omega_0\ne0$ and $\omega_n\ne0$; $R_0$ and the edges $a_1,a_2,a_3$; and at the other end
   $\omega_n,\omega_{n-1},\dots$, $R_n$ and $a_n,a_{n-1},a_{n-2}$
 :where: $\omega_0\ne0$ at $t=0$ and $\omega_n\ne0$ at $t=1$

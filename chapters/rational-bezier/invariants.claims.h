@@ -22,7 +22,7 @@ other points and weights, and with them other quotients.
 :definition: yes
 :checked-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change equal_invariants_give_same_curve
-:needs: linear_curve_with_opposite_ratios_has_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
+:needs: equal_invariants_can_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $au+b(1-u)\ne0$: positive weights give it, as $a,b>0$; otherwise the denominator can vanish inside $[0,1]$
 :::
 
@@ -54,6 +54,47 @@ CLAIM(invariants_survive_fractional_change)
     for (int i = 1; i < n; i++)
         same(T, J[i - 1], I[i - 1]);
 }
+
+#if RATIONAL
+/*
+With weights of both signs the change of parameter may leave the curve, while the numbers stay.
+
+:::{claim} equal_invariants_can_make_a_pole
+:title: Weights of both signs can have the invariants of equal ones, and a pole
+:zh: 异号权可与等权有相同的不变量而有极点
+:kind: decision
+:data: ω = 1 1 1 1; ω* = 1 -1 1 -1; a = -1; b = 1; u = 1/2
+:instead: ω* = 1 1 1 1; a = 1
+:result: I = 1 1; I* = 1 1; a u + b (1-u) = 0; ω*(u) = 0
+:given: two times four weights, $\omega$ and $\omega^*$, of cubic curves, the numbers $a$ and $b$ of (3.2.11), and a parameter $u$ of $[0,1]$
+:then: $I_i=I_i^*$ and $a^ib^{n-i}\omega_i=\omega_i^*$ for all $i$, but the denominators of (3.2.10) and of (3.2.13) vanish at $u$
+:method: Computed exactly; for odd $n$ the real root of a negative number is negative.
+:control: equal weights $\omega^*$ and $a=b$
+:::
+*/
+CLAIM(equal_invariants_can_make_a_pole)
+{
+    enum { n = 3 };
+    num w[n + 1], v[n + 1], changed[n + 1], I[n - 1], J[n - 1];
+    given_points(T, "ω", n + 1, 1, w);
+    given_points(T, "ω*", n + 1, 1, v);
+    num a = given(T, "a"), b = given(T, "b"), u = given(T, "u");
+    G(rational_invariants)(n, w, I);
+    G(rational_invariants)(n, v, J);
+    found_points(T, "I", n - 1, 1, I);
+    found_points(T, "I*", n - 1, 1, J);
+    G(rational_reparametrize)(n, w, a, b, changed);
+    for (int i = 0; i <= n; i++)
+        same(T, changed[i], v[i]);
+    for (int i = 1; i < n; i++)
+        same(T, J[i - 1], I[i - 1]);
+    num below = add(mul(a, u), mul(b, sub(from_int(1), u))), total = G(rational_weight)(n, v, u);
+    found(T, "a u + b (1-u)", below);
+    found(T, "ω*(u)", total);
+    vanishes(T, below);
+    vanishes(T, total);
+}
+#endif
 
 /*
 :::{statement} wang-ch3:def-3.2.2-intrinsic
@@ -261,7 +302,8 @@ CLAIM(reversal_exchanges_invariants)
 :printed: For $n=2$ the geometric meaning of $I_1$ has been discussed in section 3.1.
 :holds-by: first_invariant_is_the_tangent_ratio
 :needs: ratios_of_lengths_need_weights_of_one_sign | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths and says
-  $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | the weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
+  $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | the weights are of one sign: otherwise $g_1$ and $g_2$ need not be ratios of lengths; in the example their product
+  is $1/I_1$ all the same
 :needs: ratios_do_not_exist_at_the_ends | § 3.1, by which $g_1g_2$ is constant, so that both ratios exist | $0<t<1$
 :needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$ do not lie
   on a line.

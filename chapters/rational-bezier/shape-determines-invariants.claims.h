@@ -27,7 +27,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :holds-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree
   end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
   equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers fractional_change_runs_once
-  bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+  bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor mean_grows_by_one_term weight_can_be_divided_out
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants equal_invariants_give_same_curve
   plane_cubic_cannot_run_backwards congruent_curves_beyond_cubics
 :meant: property 3.2.10, which the theorem turns round, and the sentence before it, by which only the distribution of
@@ -39,7 +39,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: for "if"
 :needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n=3,4,5$ three edges not
-  coplanar; the example has $n=2$ and points of a line, for $n=3$ nothing was tried
+  coplanar; the example has $n=2$ and points of a line; for $n=3$ coplanar edges do no harm, as is said below
 :needs: palindromes_of_degree_four | the theorem | for $n=4$ the edges are not coplanar at one end at least; without it the
   point set, run backwards, can have other invariants
 :needs: common_factor_hides_the_weights | the theorem | for $n=5$ the edges are not coplanar; a plane quintic can be one and the
@@ -57,6 +57,10 @@ set run in the same direction; the same map of the parameter; or congruent curve
   $(a_1,a_2,a_3)$ are not 0, and so at the other end: for $n\le5$ these give every invariant.  If: this is property 3.2.10, by `equal_invariants_mean_geometric_ratios`, `fractional_change_term_by_term`,
   `larger_numbers_have_larger_powers` and `fractional_change_runs_once`, and needs nothing but positive weights.
 :figure: shape_and_invariants
+
+For $n=3$ the edges may be coplanar, when at both ends three points are not collinear: $T$ is on no line, as its points $R_i$ would be on that line, too; its algebraic
+curve has the degree 2 or 3, and a degree of at most 3 that is a multiple of it is equal to it.  So both curves are proper, by
+`plane_cubic_cannot_run_backwards` they have one direction, and the curvatures at the two ends give $I_1$ and $I_2$.
 :::
 */
 
@@ -537,17 +541,19 @@ the other end to symmetry.
 :zh: 曲线始端的曲率与挠率相等
 :printed: As the curves have the same shape, the curvature or the torsion agrees all along, and in particular the
   curvature or the torsion at the start.
-:holds-by: backward_run_flattens_the_first_edges
+:holds-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree bernstein_sum_of_powers_is_a_power
+  change_of_parameter_acts_on_one_factor mean_grows_by_one_term weight_can_be_divided_out
 :meant: the sentence before the theorem, by which curves of one shape differ in their parameter alone | The same shape
   is the same point set.
 :reading: congruent_cubics_with_other_invariants | congruent curves, of which the starts need not correspond
 :needs: palindromes_of_degree_four | theorem 3.2.1, where the first three points are not collinear, and the first three edges not coplanar for
   $n\ge3$ | the first edges are independent: $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for $n=2$ and $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$
-  for $n\ge3$.  Otherwise the point set may be run backwards, and the start of one curve is the end of the other.
+  for $n\ge3$.  Otherwise the point set may be run backwards, and the start of one curve is the end of the other.  In the example the last three edges
+  are coplanar, too, and the torsions agree, both being 0, but not the curvatures.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
-:argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself.  If it exchanged the ends, the first edges would be dependent by the
-  claim; so start corresponds to start.  The source takes this for granted.
+:argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself.  If it exchanged the ends, the first edges would be dependent by
+  `backward_run_flattens_the_first_edges`, as the end derivatives have the directions of the edges; so start corresponds to start.  The source takes this for granted.
 
 As printed, with "or", the sentence says less than what is true and used: curvature and torsion agree.
 :::
@@ -613,11 +619,11 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
 :corrected-by: quintic_starts_with_these_factors factor_of_the_curvature_is_positive backward_run_flattens_the_first_edges
 :confirmed-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
 :needs: palindromes_of_degree_four | theorem 3.2.1: the first three edges are not coplanar | $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$; otherwise
-  the point set may be run backwards, in the example for $n=4$, and the start of one curve is the end of the other
+  the point set may be run backwards, in the example for $n=4$ and with the last three edges coplanar, too, and the start of one curve is the end of the other
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | That both differences are 0: the two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be
-  dependent by the claim; so start corresponds to start, and curvature and torsion agree there.
+  dependent by `backward_run_flattens_the_first_edges`; so start corresponds to start, and curvature and torsion agree there.
 :figure: torsion_misprint
 
 One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The counterexample
@@ -817,8 +823,8 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
   coplanar; the example has $n=2$ and points of a line
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
-:argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be dependent by the claim; so start
-  corresponds to start and end to end, and curvatures and torsions agree there.
+:argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be dependent by
+  `backward_run_flattens_the_first_edges`; so start corresponds to start and end to end, and curvatures and torsions agree there.
 
 $n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and
 $\tau(0)$ gives $I_2$.

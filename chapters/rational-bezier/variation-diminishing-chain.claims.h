@@ -22,13 +22,41 @@ rule fit: it speaks of powers and of positive $s$, while the curve is written in
 :title: The line may be taken as the axis
 :zh: 可取直线为 x 轴
 :printed: With $L$ as the $x$-axis a rectangular coordinate system is set up; by property 3.2.1 it suffices to prove the property there.
-:holds-by: mean_grows_by_one_term motion_takes_a_plane_to_the_coordinate_plane
+:holds-by: mean_grows_by_one_term motion_takes_a_line_to_the_axis
 :confirmed-by: line_form_of_the_curve
 
 A motion takes the line to the axis; with the same weights the images of the points have the image of the curve, and $y_i$ and $y(t)$ are the
 values of the form of the line, whatever the system was.
 :::
 
+:::{claim} motion_takes_a_line_to_the_axis
+:title: A motion takes any line of the plane to the x-axis
+:zh: 存在运动将平面内任一直线化为 x 轴
+:types: field rational
+:given: a line $n\cdot X+d=0$ with the unit normal $n=(s,c)=\frac{(2p,\,1-p^2)}{1+p^2}$; a point $X$
+:let: $H=\begin{pmatrix}c&-s\\s&c\end{pmatrix}$; $e=(0,1)$
+:then: $HH^T=I$, $\det H=1$, and the last coordinate of $HX+d\,e$ is $n\cdot X+d$
+:method: Identities in $p$, $d$ and $X$.  Every unit vector but $-e$ is such an $n$; with $-e$ the same line has the normal $e$, for which $p=0$.
+:scope: every line of the plane
+:over: p d x: -
+:control: the sign of $d$
+:::
+*/
+CLAIM(motion_takes_a_line_to_the_axis)
+{
+    num one = from_int(1), zero = from_int(0), p = unknown(T, "p", 0), d = unknown(T, "d", 0);
+    num x = unknown(T, "x", 0), y = unknown(T, "x", 1), size = add(one, mul(p, p));
+    num s = div(add(p, p), size), c = div(sub(one, mul(p, p)), size), H[2][2] = {{c, neg(s)}, {s, c}};
+    about(T, "a motion of the plane");
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++)
+            same(T, add(mul(H[i][0], H[j][0]), mul(H[i][1], H[j][1])), i == j ? one : zero);
+    same(T, sub(mul(H[0][0], H[1][1]), mul(H[0][1], H[1][0])), one);
+    about(T, "the last coordinate of the image");
+    same(T, add(add(mul(H[1][0], x), mul(H[1][1], y)), fault(T, d, neg(d))), add(add(mul(s, x), mul(c, y)), d));
+}
+
+/*
 :::{claim} line_form_of_the_curve
 :title: The form of a line, on the curve, has the weights of the curve
 :zh: 曲线上的直线式仍以原权因子表示

@@ -75,7 +75,7 @@ class Matrices(unittest.TestCase):
         self.assertNotIn("= −12", lines[at] + lines[at + 2])
 
     def test_the_rows_of_a_matrix_behind_a_label_stand_below_each_other(self):
-        lines = show("wang-ch3:prop-3.2.9-step-1").splitlines()
+        lines = show("wang-ch3:prop-3.2.7-step-1").splitlines()
         first = next(i for i, line in enumerate(lines) if "⎛" in line)
         self.assertRegex(lines[first], "^ *let ")
         for above, below in ("⎛⎝", "⎞⎠"):
