@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_FACTORS = 200, MOST_HALVINGS = 9, MOST_SIDES = 12, SECONDS_FOR_A_NUMBER = 2, SECONDS_FOR_HALVES = 3 };
+enum { MOST_FACTORS = 200, MOST_HALVINGS = 9, MOST_SIDES = 12, SECONDS_FOR_A_NUMBER = 2, SECONDS_FOR_HALVES = 3, WORK_AT_AN_END = 48, WORK_ELSEWHERE = 24 };
 
 /* ---- numbers between numbers --------------------------------------------------------------------------- */
 
@@ -242,6 +242,79 @@ static cagd_answer holds_between(const cagd_constraint *c, num_f parameter, cons
     return some ? CAGD_HOLDS : CAGD_UNDECIDED; /* p >= 0 on one side, and so in the limit */
 }
 
+/* ---- a root of the parameter ------------------------------------------------------------------------------ */
+
+/* The sign of sum c[e] y^e over K at the rational y. */
+static int sign_over_root(const cagd_algebraic_point *a, const cagd_over_k *p, num_q y)
+{
+    poly value = cagd_poly_constant(from_int_q(0));
+    for (int e = p->degree; e >= 0; e--)
+        value = poly_add(poly_scale(value, y), p->c[e]);
+    return cagd_algebraic_sign(a, value);
+}
+
+/* y - low, of which low is the only root. */
+static cagd_over_k minus(num_q low)
+{
+    return (cagd_over_k){.degree = 1, .c = {cagd_poly_constant(neg_q(low)), cagd_poly_constant(one())}};
+}
+
+static int is_end(const cagd_root_over_k *r, int has_end, num_q end)
+{
+    return has_end && r->of->degree == 1 && cagd_poly_equal(r->of->c[0], cagd_poly_constant(neg_q(end)));
+}
+
+/* The constraint for a root itself: p over K = Q(root) has its roots in t isolated, the ends of the side being roots of y - low and y - high, and between
+ * neighbours one number decides.  UNDECIDED where the degree in t times that of the root is more than `work`. */
+static cagd_answer holds_at_root(const cagd_constraint *c, num_f parameter, const struct cagd_root *r, int work)
+{
+    enum { MOST_ROOTS = 2 * CAGD_MOST_OVER_K };
+    int strict = c->demand == CAGD_MORE_THAN_ZERO, degree = cagd_poly_degree(r->factor), parts = 0;
+    num_f x[] = {parameter, c->t.variable};
+    cagd_root_over_k *root = cagd_region_array(MOST_ROOTS, 1, sizeof *root);
+    cagd_over_k *part = cagd_region_array(3, 1, sizeof *part);
+    if (root == NULL || part == NULL || degree_f(c->p, c->t.variable) * degree > work ||
+        degree_f(c->p, c->t.variable) > CAGD_MOST_OVER_K)
+        return CAGD_UNDECIDED;
+    cagd_algebraic_point a = {.theta = *r, .count = 1};
+    a.theta.factor = poly_scale(r->factor, div_q(one(), cagd_poly_coefficient(r->factor, degree)));
+    a.coordinate[0] = poly_remainder(cagd_poly_variable(), a.theta.factor);
+    cagd_over_k p = cagd_algebraic_polynomial(&a, c->p, x);
+    if (p.degree < 0)
+        return strict ? CAGD_FAILS : CAGD_HOLDS;
+    const cagd_side_of_box *t = &c->t;
+    for (int k = 0; k < 2; k++) {
+        int has = k == 0 ? t->has_low : t->has_high, open = k == 0 ? t->low_open : t->high_open;
+        num_q end = k == 0 ? t->low : t->high;
+        int sign = has && !open ? sign_over_root(&a, &p, end) : 1;
+        if (sign < 0 || (strict && sign == 0))
+            return CAGD_FAILS;
+        if (has)
+            part[parts++] = minus(end);
+    }
+    if (is_point(t))
+        return CAGD_HOLDS;
+    part[parts++] = p;
+    int count = cagd_roots_over_k(&a, parts, part, MOST_ROOTS, root), low = -1, high = count;
+    if (count < 0)
+        return CAGD_UNDECIDED;
+    for (int k = 0; k < count; k++) {
+        low = is_end(&root[k], t->has_low, t->low) ? k : low;
+        high = is_end(&root[k], t->has_high, t->high) ? k : high;
+    }
+    if (strict && high - low > 1)
+        return CAGD_FAILS;
+    for (int k = low; k < high; k++) { /* behind root k, before root k + 1 */
+        num_q y = count == 0       ? from_int_q(0)
+                  : k < 0          ? sub_q(root[0].lo, one())
+                  : k + 1 == count ? add_q(root[k].hi, one())
+                                   : div_q(add_q(root[k].hi, root[k + 1].lo), from_int_q(2));
+        if (sign_over_root(&a, &p, y) < 0)
+            return CAGD_FAILS;
+    }
+    return region_faults == 0 ? CAGD_HOLDS : CAGD_UNDECIDED;
+}
+
 /* ---- alternatives -------------------------------------------------------------------------------------- */
 
 /* How many constraints the clause has that begins with that one. */
@@ -309,12 +382,14 @@ static cagd_answer one_is_true(int members, const int of[], const cagd_constrain
     return is == CAGD_IMPLIED ? CAGD_HOLDS : is == CAGD_NOT_IMPLIED ? CAGD_FAILS : CAGD_UNDECIDED;
 }
 
-/* A number, or a root with the numbers beside it, at which clauses are asked. */
+/* A number, or a root with the numbers beside it, at which clauses are asked.  For a root of one constraint what holds beside it says most, and quickly;
+ * what that leaves undecided is decided at the root itself, if that is not more than so much `work`. */
 struct place {
     num_q at;
     const struct cagd_root *root; /* NULL: the number */
     int count;
     const num_q *beside;
+    int work;
 };
 
 static cagd_answer group_at(int members, const int of[], const cagd_constraint c[], num_f parameter,
@@ -325,8 +400,15 @@ static cagd_answer group_at(int members, const int of[], const cagd_constraint c
     *rational = 0;
     cagd_answer answer =
         members == 1 ? holds_between(&c[of[0]], parameter, p->root, p->count, p->beside) : CAGD_UNDECIDED;
-    if (answer != CAGD_UNDECIDED || is_of_parameter(&c[of[0]], parameter))
+    if (answer != CAGD_UNDECIDED || is_of_parameter(&c[of[0]], parameter) || (members == 1 && p->work == 0))
         return answer;
+    if (members == 1) {
+        unsigned before = region_faults;
+        answer = holds_at_root(&c[of[0]], parameter, p->root, p->work);
+        if (region_faults != before) /* a degree that is too high leaves it undecided */
+            answer = CAGD_UNDECIDED, region_faults = before | (region_faults & FAULT_MEMORY);
+        return answer;
+    }
     num_f x[] = {c[of[0]].t.variable, parameter}, f = from_int_f(0);
     cagd_sign_condition given[MOST_OF_GROUP];
     if (p->root == NULL)
@@ -454,7 +536,9 @@ static void answer_cell(int constraints, const cagd_constraint constraint[], num
         out->broken[k] = i + which;
     }
 }
-static void answer_cut(int constraints, const cagd_constraint constraint[], num_f lambda, int k, cagd_cells *out)
+/* First what is quick: one clause that fails is enough. */
+static void answer_cut(int constraints, const cagd_constraint constraint[], num_f lambda, int k, int wholly,
+                       cagd_cells *out)
 {
     const struct cagd_root *r = &out->root[k];
     num_q witness, beside[2];
@@ -463,14 +547,22 @@ static void answer_cut(int constraints, const cagd_constraint constraint[], num_
     for (int side = k; side <= k + 1; side++)
         if (!out->empty[side])
             beside[here.count++] = out->sample[side];
-    for (int i = 0, n; i < constraints && out->at[k] != CAGD_FAILS; i += n) {
-        n = length_of_clause(&constraint[i]);
-        cagd_answer answer = clause_at(n, &constraint[i], lambda, &here, &witness, &rational, &which);
-        out->at[k] = answer == CAGD_HOLDS ? out->at[k] : answer;
+    int is_end = (!out->empty[k] && out->cell[k] == CAGD_HOLDS) || (!out->empty[k + 1] && out->cell[k + 1] == CAGD_HOLDS);
+    for (int turn = 0; turn <= wholly; turn++) {
+        here.work = turn == 0 ? 0 : is_end ? WORK_AT_AN_END : WORK_ELSEWHERE;
+        cagd_answer all = CAGD_HOLDS;
+        for (int i = 0, n; i < constraints && all != CAGD_FAILS; i += n) {
+            n = length_of_clause(&constraint[i]);
+            cagd_answer answer = clause_at(n, &constraint[i], lambda, &here, &witness, &rational, &which);
+            all = answer == CAGD_HOLDS ? all : answer;
+        }
+        out->at[k] = all;
+        if (all != CAGD_UNDECIDED)
+            break;
     }
 }
-void cagd_answer_cells(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
-                       cagd_cells *out)
+static void answer_cells(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
+                         int wholly, cagd_cells *out)
 {
     num_f lambda = parameter->variable;
     memset(out->cell, 0, sizeof out->cell); /* CAGD_HOLDS */
@@ -478,7 +570,12 @@ void cagd_answer_cells(int constraints, const cagd_constraint constraint[], cons
     for (int k = 0; k <= out->count; k++)
         answer_cell(constraints, constraint, lambda, k, out);
     for (int k = 0; k < out->count; k++)
-        answer_cut(constraints, constraint, lambda, k, out);
+        answer_cut(constraints, constraint, lambda, k, wholly, out);
+}
+void cagd_answer_cells(int constraints, const cagd_constraint constraint[], const cagd_side_of_box *parameter,
+                       cagd_cells *out)
+{
+    answer_cells(constraints, constraint, parameter, 1, out);
 }
 
 /* *product times a polynomial of the parameter at whose roots the answer to the clause can change. */
@@ -507,7 +604,7 @@ static int changes_of(int n, const cagd_constraint c[], const cagd_side_of_box *
     cagd_cells *cells = region_bytes(sizeof *cells);
     if (!critical_of_clause(n, c, lambda, &cuts) || cells == NULL || !cut_into_cells(cuts, parameter, cells, factor))
         return 0;
-    cagd_answer_cells(n, c, parameter, cells);
+    answer_cells(n, c, parameter, 0, cells);
     for (int k = 0; k < cells->count; k++) {
         int same = (cells->empty[k] || cells->cell[k] == cells->at[k]) &&
                    (cells->empty[k + 1] || cells->cell[k + 1] == cells->at[k]);
