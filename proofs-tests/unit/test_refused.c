@@ -184,7 +184,7 @@ static void other_formulas_with_mistakes(void **state)
         {STATEMENT, "M \\cdot L \\cdot M = M L M"},
         {STATEMENT, "\\|\\mathbf{a}\\|^2 = \\mathbf{a} \\cdot \\mathbf{a} = 1 + x^2 + y^2"},
         {STATEMENT, "\\mathbf{a} \\times \\mathbf{a} = (0, 0, 0)"},
-        {STATEMENT, "\\int_0^1 h(t) \\, dt = \\left. \\left( t^3/3 + t \\right) \\right|_{t=0}^{1}"},
+        {STATEMENT, "\\int_0^1 h(t) \\, dt = \\left. \\left( t^3/3 + t \\right) \\right|_{t=1}"},
         {STATEMENT, "\\max(x, y) + \\min\\{x, y\\} = x + y, |x|^2 = x^2"},
         {STATEMENT, "(x - y)_+^2 = \\binom{n}{k}_x + [n]_x! + \\sqrt[3]{x}"},
         {STATEMENT, "\\frac12 x^{2} = \\tfrac{1}{2} x^2"},
