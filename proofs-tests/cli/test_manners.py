@@ -1144,6 +1144,8 @@ class Schemas(Case):
         for args in (["check", "--json", ROOT / "proofs-tests/check/bases.md"], ["verify", "--json", "end_*"], ["list", "--json"], ["ledger", "--json", "wang-ch3:3.2.*"],
                      ["show", "--json", "wang-ch3:thm-3.3.2"], ["show", "--json", NAME], ["fit", ARCH, "--json"],
                      ["show", "--json", "slides-ch4:table-bezier"], ["fit", ARCH, "--json", "--no-verify"],
+                     ["fit", ARCH, "--json", "--loss", "cauchy"], ["fit", ARCH, "--json", "--unordered"],
+                     *(["fit", ROOT / "proofs-tests/fit/real" / name, "--json"] for name in ("disc-traced.tsv", "coil.json", "naca2412.dat")),
                      ["curve", CIRCLE, "--json"], ["curve", CIRCLE, "--json", "--at", "1/3", "--at", "2", "-d", "3"]):
             with self.subTest(args=args):
                 self.fits(self.said(*args))
