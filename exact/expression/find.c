@@ -36,7 +36,7 @@ struct cagd_collection {
 static int constant_node(num_q q) { return cagd_node_of_q(cagd_value_constant(q).q); }
 
 /* The relation between d and 0, of which t is the other variable, if other. */
-static void note(struct cagd_collection *into, enum noted_relation relation, cagd_value d, num_f parameter,
+static void note(struct cagd_collection *into, int relation, cagd_value d, num_f parameter,
                  const cagd_side_of_box *t, int other)
 {
     struct noted *n = into->noted;
