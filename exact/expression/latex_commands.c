@@ -38,7 +38,7 @@ struct expansion {
     cagd_latex *troubles;
     int calls, limit; /* of the outermost command: what it called, and how large the text may get */
     int at;           /* where it was called in the source                                       */
-    int overflow, in_body;
+    int overflow, in_body, in_note;
     long
         work; /* bytes that were looked through for the ends of groups, or substituted: what is made to take long ends */
 };
@@ -516,20 +516,26 @@ static int expand_command(struct expansion *x, const struct slice *t, int a, int
     return b;
 }
 
-/* What a comment "cagd:" at k says, the commands of the author expanded, on one line; what is behind it. */
-static int expand_note(struct expansion *x, const struct slice *t, int k)
+/* What a comment "cagd:" at k says, the commands of the author expanded, on one line; what is behind it.  Within another one, and in what a command stands for,
+ * it is as it stands. */
+static int expand_note(struct expansion *x, const struct slice *t, int k, int depth)
 {
     int end = k, said = k, in_body = x->in_body, size;
     while (end < t->n && t->s[end] != '\n')
         end++;
+    if (depth > 0 || x->in_note) {
+        put_slice(x->out, t, k, end);
+        return end;
+    }
     while (t->s[said] != ':')
         said++;
     put_slice(x->out, t, k, said + 1);
     size = x->out->size;
     struct slice words = part_of(t, said + 1, end);
     x->in_body = 1; /* before \begin{document}, too */
+    x->in_note = 1;
     expand(x, &words, 0);
-    x->in_body = in_body;
+    x->in_body = in_body, x->in_note = 0;
     for (; size < x->out->size; size++)
         if (x->out->bytes[size] == '\n')
             x->out->bytes[size] = ' ';
@@ -544,7 +550,7 @@ static void expand(struct expansion *x, const struct slice *t, int depth)
          k = next) {
         next = behind_token(t, k);
         if (t->s[k] == '%' && is_note(t, k)) {
-            next = expand_note(x, t, k);
+            next = expand_note(x, t, k, depth);
         } else if (t->s[k] == '%') {
             next = behind_comment(t, k);
         } else if (t->s[k] == '\\' && next > k + 1) {

@@ -790,6 +790,8 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         if (one != NULL)
             return cagd_refuse_tree(r, p[which].tree, "bounds of all of them stand before those of %s alone",
                                     one->head) != NULL;
+        if (v.left != NULL && (v.left->lower != p[which].tree->lower || v.left->upper != p[which].tree->upper))
+            return cagd_refuse_tree(r, p[which].tree, "%s had other indices before", p[which].tree->head) != NULL;
         int replaces = v.head != NULL;
         for (int k = 0; k < count; k++) {
             if (k == which)
