@@ -6,7 +6,7 @@
 #include "exact/expression/suppose.h"
 #include "exact/words.h"
 
-enum { MOST_CANDIDATES = 16, MOST_TRIES = 1500, MOST_LOOKS = 12000, MOST_ROUNDS = 12 };
+enum { MOST_CANDIDATES = 16, MOST_TRIES = 1500, MOST_LOOKS = 3000, MOST_ROUNDS = 12 };
 
 static cagd_side_of_box side_of(const cagd_binding *b)
 {
