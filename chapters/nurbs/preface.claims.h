@@ -402,7 +402,7 @@ CLAIM(recursion_subtracts_data_only)
   Jiushao and Horner
 :holds-by: horner_takes_two_operations_a_degree matrices_take_polynomial_time
 :argued: every order | Polynomial is a word about all orders: Horner's rule has one product and one sum for each power, and the kernels of the matrices are
-  loops inside loops, as many as the exponent of the bound says.
+  loops inside loops, at most six deep, each of at most $k+1$ steps.
 :confirmed-by: determinant_written_out_is_factorial
 :meant: the word time, which is that of a computation | The time of computing with the matrices, by recursion, by differences, or by determinants in polynomial time, and products.
 :figure: recursion_steps
@@ -498,8 +498,9 @@ CLAIM(determinant_written_out_is_factorial)
 :data: c = 4 4 5 5; e = 3 6 4 4
 :given: the kernels `bspline_matrix`, by the recursion, `bspline_matrix_by_marsden`, by the second explicit form, and `bspline_matrix_by_differences`, by the first, over simple knots and
   over the $k$-fold ones of Bézier
-:then: the first takes at most $4k^3$ operations, the second at most $4k^6$, the third at most $5k^4$, where knots coincide, too
+:then: the first takes at most $4k^3$ operations, the second at most $4k^6$, the third at most $5k^4$ over both
 :method: The kernels on numbers that count.
+:scope: simple knots, and the $k$-fold ones of Bézier
 :degrees: k = 2..17
 :control: $k^2$ in the place of each power
 :::
