@@ -72,7 +72,8 @@ apart; neither depends on where the point began.
 :holds-by: rotated_points_are_equally_spaced
 :confirmed-by: rotation_matrix_adds_the_angle
 :needs: centre_is_never_turned | the words above (1-3-1), a point of the circle of radius $r$ | $P_0\ne(0,0)$
-:needs: angle_zero_turns_no_point | the words before it, an angle of suitable size (适当大小的 $\Delta\theta$) | $\Delta\theta\ne0$
+:needs: angle_zero_turns_no_point | the words before it, an angle of suitable size (适当大小的 $\Delta\theta$) | $\Delta\theta$ is no
+  multiple of $2\pi$
 :figure: three_generators
 :::
 */

@@ -474,6 +474,8 @@ and additions; with another step it is not.
   table (1-4-5) is begun by shifts, and the divided step (1-4-4) takes shifts.  The step (1-4-3) without division has additions only, whatever
   $\delta$ is.
 :figure: stepping_and_rounding
+
+The table is made for each coordinate alone.
 :::
 */
 

@@ -147,6 +147,7 @@ have a pole for that.
 :holds-by: cut_coefficients_are_convex
 :needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: otherwise a coefficient may be negative although $\omega(t)$ has no real zero
+:needs: cut_outside_has_a_negative_coefficient | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$
 :figure: cut_leaves_the_edge
 :::
 
@@ -158,6 +159,7 @@ have a pole for that.
 :confirmed-by: triangle_level_by_level
 :needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
+:needs: cut_outside_has_a_negative_coefficient | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$
 :::
 
 :::{claim} cut_coefficients_are_convex
@@ -194,6 +196,35 @@ CLAIM(cut_coefficients_are_convex)
 }
 
 #if RATIONAL
+/*
+:::{claim} cut_outside_has_a_negative_coefficient
+:title: Outside the interval the point of the triangle leaves its edge though the weights are positive
+:zh: 分割点在区间外时割角点离开边
+:kind: decision
+:data: ω = 1 1; c = -1
+:instead: c = 1/2
+:result: coefficients of R_0, R_1 = 2 -1
+:given: two positive weights $\omega$, $[a,b]=[0,1]$, and a parameter $c$ outside
+:then: in $R_1^1$ the point $R_1$ has a negative coefficient
+:method: The coefficients are $R_1^1$ for the points $1,0$ and $0,1$ of the line.
+:control: $c$ in the middle of the interval
+:::
+*/
+CLAIM(cut_outside_has_a_negative_coefficient)
+{
+    num w[2], share[2], v[2], P[2];
+    given_points(T, "ω", 2, 1, w);
+    num c = given(T, "c");
+    for (int k = 0; k < 2; k++) {
+        num R[2] = {from_int(k == 0), from_int(k == 1)};
+        G(rational_casteljau)(1, 1, R, w, c, 1, P, v);
+        share[k] = P[0];
+    }
+    found_points(T, "coefficients of R_0, R_1", 2, 1, share);
+    about(T, "R_1^1 lies outside the edge, before R_0");
+    agree(T, sign_q(share[1]) < 0);
+}
+
 /*
 :::{claim} negative_weight_breaks_convexity
 :title: With a negative weight a point of the triangle can leave its edge
