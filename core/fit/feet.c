@@ -1,6 +1,5 @@
 #include "core/fit/feet.h"
 
-#include "core/fit/means.h"
 #include "core/fit/polygon.h"
 
 #include <math.h>
@@ -84,9 +83,11 @@ static double nearest_foot(const search *s, const double q[], sides range, const
 {
     const fit_polygon *g = &s->polygon;
     double found = parameter_of(s, g->t[range.first]), D[9];
+    *smallest = HUGE_VAL;
+    if (known != NULL && range.first == range.last && fit_polygon_is_beside(g, range.first, unrolled(s, *known)))
+        return *known;
     fit_polygon_distances(g, q, range.first, range.last, s->square);
     const double best = surely_reached(g, range, s->square);
-    *smallest = HUGE_VAL;
     int tried = 0, last = range.first;
     for (int k = range.first; k <= range.last; k++)
         if (is_tried(s, range, k, best))
@@ -215,9 +216,7 @@ static int search_new(const fit_problem *p, const fit_curve *curve, search *s)
     const int stride = (p->points - 1) / p->strategy.anchors + 1;
     *s = (search){.problem = p, .curve = curve, .thorough = p->nothing_free, .stride = stride};
     s->anchors = (p->points - 1) / stride + 1;
-    const int neighbours =
-        p->unordered ? 1 : fit_neighbours(&(cagd_fit_data){p->points, p->dim, fit_point(p, 0), NULL});
-    s->beyond = neighbours > 1 ? neighbours / stride + 1 : 0;
+    s->beyond = p->neighbours > 1 ? p->neighbours / stride + 1 : 0;
     const int least = p->unordered ? 2 * p->strategy.sides : p->strategy.sides;
     if (!fit_polygon_new(curve, least, &s->polygon))
         return 0;
@@ -249,8 +248,9 @@ int fit_feet_guess(const fit_problem *p, const fit_curve *curve, double t[])
         double D[9];
         if (fit_held_foot(p, curve, i, &t[i], D))
             continue;
-        fit_polygon_distances(&s.polygon, fit_point(p, i), range.first, range.last, s.square);
         int best = range.first;
+        if (range.first < range.last)
+            fit_polygon_distances(&s.polygon, fit_point(p, i), range.first, range.last, s.square);
         for (int k = range.first + 1; k <= range.last; k++)
             best = s.square[k] < s.square[best] ? k : best;
         t[i] = parameter_of(&s, fit_polygon_parameter(&s.polygon, best, fit_point(p, i)));

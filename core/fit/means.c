@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { FEWEST = 20 }; /* groups, below which nothing is seen of a curve */
 
@@ -12,37 +13,36 @@ enum { FEWEST = 20 }; /* groups, below which nothing is seen of a curve */
  * back a part of the way shorten it as well, once, by less than SCATTERED says. */
 static const double SCATTERED = 0.75, SHORTER = 0.9;
 
-static double weight_of(const cagd_fit_data *data, int i)
-{
-    return data->sigma != NULL ? 1 / (data->sigma[i] * data->sigma[i]) : 1;
-}
-
-/* Mean c of group g of `groups`, and the sum of the weights there. */
-static double mean_of(const cagd_fit_data *data, int neighbours, int groups, int g, int c, double *weight)
+/* The means of group g of `groups`, a coordinate each; returns the sum of the weights there. */
+static double means_of(const cagd_fit_data *data, int neighbours, int groups, int g, double mean[3])
 {
     const int low = g * neighbours, high = g + 1 < groups ? low + neighbours : data->count;
+    const double *q = data->points + (size_t)low * (size_t)data->dim;
     double sum = 0;
-    *weight = 0;
-    for (int i = low; i < high; i++) {
-        sum += weight_of(data, i) * data->points[(size_t)i * (size_t)data->dim + (size_t)c];
-        *weight += weight_of(data, i);
+    mean[0] = mean[1] = mean[2] = 0;
+    for (int i = low; i < high; i++, q += data->dim) {
+        const double weight = data->sigma != NULL ? 1 / (data->sigma[i] * data->sigma[i]) : 1;
+        for (int c = 0; c < data->dim; c++)
+            mean[c] += weight * q[c];
+        sum += weight;
     }
-    return sum / *weight;
+    for (int c = 0; c < data->dim; c++)
+        mean[c] /= sum;
+    return sum;
 }
 
 /* The length of the polygon of the means. */
 static double length_of(const cagd_fit_data *data, int neighbours)
 {
     const int groups = data->count / neighbours;
-    double length = 0, before[3] = {0};
+    double length = 0, corner[2][3];
     for (int g = 0; g < groups; g++) {
-        double square = 0, weight;
-        for (int c = 0; c < data->dim; c++) {
-            const double x = mean_of(data, neighbours, groups, g, c, &weight);
-            square += (x - before[c]) * (x - before[c]);
-            before[c] = x;
-        }
-        length += g > 0 ? sqrt(square) : 0;
+        const double *before = corner[(g + 1) % 2], *here = corner[g % 2];
+        means_of(data, neighbours, groups, g, corner[g % 2]);
+        double square = 0;
+        for (int c = 0; c < data->dim && g > 0; c++)
+            square += (here[c] - before[c]) * (here[c] - before[c]);
+        length += sqrt(square);
     }
     return length;
 }
@@ -67,12 +67,11 @@ cagd_status fit_means(const cagd_fit_data *data, int neighbours, cagd_fit_data *
            *sigma = points != NULL ? points + (size_t)groups * (size_t)data->dim : NULL;
     *means = (cagd_fit_data){groups, data->dim, points, data->sigma != NULL ? sigma : NULL};
     REQUIRE(points != NULL, CAGD_NO_MEMORY);
-    for (int g = 0; g < groups; g++)
-        for (int c = 0; c < data->dim; c++) {
-            double weight;
-            points[(size_t)g * (size_t)data->dim + (size_t)c] = mean_of(data, neighbours, groups, g, c, &weight);
-            sigma[g] = 1 / sqrt(weight);
-        }
+    for (int g = 0; g < groups; g++) {
+        double mean[3];
+        sigma[g] = 1 / sqrt(means_of(data, neighbours, groups, g, mean));
+        memcpy(points + (size_t)g * (size_t)data->dim, mean, (size_t)data->dim * sizeof *mean);
+    }
     return CAGD_OK;
 }
 

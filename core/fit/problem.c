@@ -2,6 +2,7 @@
 
 #include "core/fit/arguments.h"
 #include "core/fit/loss.h"
+#include "core/fit/means.h"
 #include "core/number/limits.h"
 
 #include <float.h>
@@ -212,7 +213,7 @@ cagd_status fit_problem_make(const cagd_fit_data *data, const cagd_fit_options *
     if (status == CAGD_OK)
         status = make_unknowns(o, p);
     if (status == CAGD_OK)
-        fit_problem_sum_errors(p);
+        fit_problem_look_at_points(p);
     return status;
 }
 
@@ -271,13 +272,14 @@ int fit_problem_equations(const fit_problem *p)
 
 int fit_problem_roundings(const fit_problem *p) { return 4 * p->degree + 16; }
 
-void fit_problem_sum_errors(fit_problem *p)
+void fit_problem_look_at_points(fit_problem *p)
 {
     p->rounding = 0;
     for (int i = 0; i < p->points; i++) {
         double error = p->precision[i] * (2 * p->degree + 2) * DBL_EPSILON * p->size;
         p->rounding += error * error;
     }
+    p->neighbours = p->unordered ? 1 : fit_neighbours(&(cagd_fit_data){p->points, p->dim, fit_point(p, 0), NULL});
 }
 
 double fit_problem_cost_error(const fit_problem *p, double cost)

@@ -43,6 +43,7 @@ typedef struct fit_problem {
     cagd_fit_unknown *local; /* the unknowns of the support, `index` counted from the first point of the piece */
     double low, high;        /* bounds on the weights                                          */
     double rounding;         /* sum b_i^2, see fit_problem_cost_error                                */
+    int neighbours;          /* that points in order have to be taken together, see fit_neighbours   */
 } fit_problem;
 
 /* From checked data and options.  Whatever is returned, fit_problem_free releases it. */
@@ -66,8 +67,8 @@ int fit_problem_roundings(const fit_problem *problem);
  * is at most sqrt(2 cost sum b_i^2) + sum b_i^2/2; with a robust loss by less, for rho'(r^2) r <= sqrt(rho(r^2)). */
 double fit_problem_cost_error(const fit_problem *problem, double cost);
 
-/* Sums the b_i^2; to be called when the points or their precision have changed. */
-void fit_problem_sum_errors(fit_problem *problem);
+/* `rounding` and `neighbours`; to be called when the points or their precision have changed. */
+void fit_problem_look_at_points(fit_problem *problem);
 
 /* Whether the foot of point i is an end of the domain: 0 the start, 1 the end, -1 no. */
 static inline int fit_end_of(const fit_problem *p, int i)

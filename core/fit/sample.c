@@ -42,7 +42,7 @@ int fit_sample_every(const fit_problem *p, int stride, fit_problem *s)
         int i = p->end_point[end];
         s->end_point[end] = i < 0 ? -1 : i == last ? s->points - 1 : i % stride == 0 ? i / stride : -1;
     }
-    fit_problem_sum_errors(s);
+    fit_problem_look_at_points(s);
     return 1;
 }
 
@@ -113,6 +113,6 @@ int fit_sample_means(const fit_problem *p, const fit_curve *curve, const double 
     sum_groups(p, curve, t, groups, s, feet);
     divide_groups(curve, groups, s, feet);
     keep_end_points(p, curve, s, feet);
-    fit_problem_sum_errors(s);
+    fit_problem_look_at_points(s);
     return 1;
 }

@@ -77,14 +77,14 @@ static double m_estimate_scale(const cagd_fit_data *data, const cagd_fit_options
 /* The sum of the losses, and what tells fits of the same points apart. */
 static void fill_criteria(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result *result)
 {
-    double n = equations(data, options, result), k = result->effective, value[3], sum = 0;
-    int known = data->sigma != NULL;
+    const int rows = equations(data, options, result), known = data->sigma != NULL;
+    double n = rows, k = result->effective, value[3], sum = 0;
     for (int i = 0; i < data->count; i++) {
         fit_loss(options->loss, options->loss_scale, scaled_square(data, result, i), value);
         sum += value[0];
     }
     int fitted = isfinite(k) ? (int)rint(k) : result->unknowns; /* without a number all count */
-    int d = result->degrees_of_freedom = equations(data, options, result) - fitted;
+    int d = result->degrees_of_freedom = rows - fitted;
     result->chi_squared = sum;
     result->reduced_chi_squared = d > 0 ? sum / d : NAN;
     result->aic = known ? sum + 2 * k : n * log(sum / n) + 2 * (k + 1);
