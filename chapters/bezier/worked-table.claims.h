@@ -5,12 +5,13 @@ The slides compute seven points of the cubic with $P_0=(1,1)$, $P_1=(2,3)$, $P_2
 parameter, the four functions $(1-t)^3$, $3t(1-t)^2$, $3t^2(1-t)$, $t^3$, and the point.  The functions are printed with three
 digits, or with two that count, the points with up to four digits after the point.  A number is right here when the exact
 value, rounded to as many digits as are printed, is that number: when the two are at most half a unit of the last printed
-digit apart.  The slides name no rule; where it matters whether a five is rounded up we say so.
+digit apart.  In the first row, the middle one and the last nothing has to be rounded, and a number is right when it is the exact value.
+The slides name no rule; where it matters whether a five is rounded up we say so.
 
 All twenty-eight values of the functions are right.  Of the fourteen coordinates six are wrong, and one, $y(0.65)$, is right unless
 fives are rounded up.  Two of the six are what the rounded functions give, whose sum is not 1; the other four are neither that nor
-the exact value.  The points have the
-heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradicts itself twice.
+the exact value.  The points have the heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradicts itself
+twice.
 */
 #include "chapters/bezier/definition.h"
 
