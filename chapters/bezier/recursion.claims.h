@@ -117,7 +117,7 @@ CLAIM(enough_equal_steps_bring_the_polyline_near)
   point of the whole curve is within $\varepsilon$ of the middle of the chord
 :method: The point of the curve and that of the chord; then the square of the distance of the middle of the chord from the curve, less $\varepsilon^2$, a
   polynomial whose sign on $[0,1]$ is found by root counts.  That it is not positive somewhere is refuted.
-:control: a chord between the last two of a thousand points in equal steps
+:control: the last chord of a thousand equal steps
 :::
 */
 CLAIM(many_points_may_crowd)
