@@ -193,14 +193,15 @@ What follows is true of degree 0, where the only function is 1, and each step of
 every degree.
 
 :::{claim} recurrence_keeps_sum_sign_ends_and_symmetry
-:title: The recurrence keeps the sum 1, the signs, the values at the ends and the symmetry
-:zh: 递推保持规范性、非负性、端点值与对称性
+:title: The recurrence keeps the sum 1, the signs, the bound 1, the values at the ends and the symmetry
+:zh: 递推保持规范性、非负性、上界 1、端点值与对称性
 :given: $a=B_i^{n-1}(t)$ and $b=B_{i-1}^{n-1}(t)$, so that $B_i^n(t)=(1-t)a+tb$; $S=\sum_iB_i^{n-1}(t)$; any $t$
-:then: $\sum_iB_i^n(t)=(1-t)S+tS=S$; for $t$ in $(0,1)$ and $a,b>0$, or one of them absent, $B_i^n(t)>0$; at $t=0$ it is $a$, at $t=1$
+:then: $\sum_iB_i^n(t)=(1-t)S+tS=S$; for $t$ in $(0,1)$ and $a,b>0$, or one of them absent, $B_i^n(t)>0$;
+  $1-B_i^n(t)=(1-t)(1-a)+t(1-b)$, so that with no function of degree $n-1$ none of degree $n$ is greater than 1 in $[0,1]$; at $t=0$ it is $a$, at $t=1$
   it is $b$, so that $B_0^n(0)=B_n^n(1)=1$ and the others are 0 there; and with $a'=B_i^{n-1}(1-t)$, $b'=B_{i-1}^{n-1}(1-t)$, the
   mirror images of $b$ and $a$ of index $n-i$, $B_i^n(1-t)=(1-(1-t))a'+(1-t)b'=(1-t)b'+ta'=B_{n-i}^n(t)$
 :method: The recurrence once, `bernstein_recurrence`, with the values of degree $n-1$ variables, $t=\frac s{1+s}$, $s>0$, for the signs; $B_0^0=1$
-  has all four properties, and the step is an induction.
+  has all these properties, and the step is an induction.
 :degrees: all
 :over: t; s a b S: -
 :control: $1-t$ and $t$ exchanged
@@ -220,6 +221,8 @@ CLAIM(recurrence_keeps_sum_sign_ends_and_symmetry)
     same(T, G(blend)(fault(T, one, zero), a, b), b);
     about(T, "the mirror image");
     same(T, G(blend)(sub(one, t), a, b), G(blend)(t, b, a));
+    about(T, "the distance from 1");
+    same(T, sub(one, G(blend)(t, a, b)), G(blend)(t, sub(one, a), sub(one, b)));
     about(T, "the sign");
     G(must_be_positive)(T, G(blend)(inside_t, a, b));
     G(must_be_positive)(T, G(blend)(inside_t, a, zero));

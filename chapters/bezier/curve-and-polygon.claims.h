@@ -129,23 +129,25 @@ With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.
 :title: With 0^0 = 0 the sum at t = 0 is the origin
 :zh: 若约定 0^0=0 则曲线不过首点
 :kind: counterexample
-:data: P = (1,1) (2,3); t = 0; x^0 = 0
-:instead: x^0 = 1
+:data: P = (1,1) (2,3); t = 0; 0^0 = 0
+:instead: 0^0 = 1
 :result: P(t) = (0,0)
-:given: the segment of the points $P$ and the parameter of its first end; every power with exponent 0 is given the value $x^0$
-:then: with $x^0=0$ the sum at $t=0$ is the origin, and not $P_0$
+:given: the segment of the points $P$ and the parameter of its first end, where $t^0$ is $0^0$; the other power with exponent 0, $(1-t)^0$, is
+  $1^0=1$
+:then: with $0^0=0$ the sum at $t=0$ is the origin, and not $P_0$
 :method: The sum, with the power as told.
-:control: $x^0=1$
+:control: $0^0=1$
 :::
 */
 CLAIM(zero_power_zero_takes_away_the_end)
 {
     num P[2 * dim], sum[dim];
     given_points(T, "P", 2, dim, P);
-    num t = given(T, "t"), s = sub(from_int(1), t), zeroth = given(T, "x^0");
+    num t = given(T, "t"), one = from_int(1), s = sub(one, t), zeroth = given(T, "0^0");
+    num of_t = is_zero_q(t) ? zeroth : one, of_s = is_zero_q(s) ? zeroth : one; /* t^0, (1-t)^0 */
     /* P(t) = t^0 (1-t) P_0 + t (1-t)^0 P_1 */
     for (int c = 0; c < dim; c++)
-        sum[c] = add(mul(P[c], mul(zeroth, s)), mul(P[dim + c], mul(t, zeroth)));
+        sum[c] = add(mul(P[c], mul(of_t, s)), mul(P[dim + c], mul(t, of_s)));
     found_points(T, "P(t)", 1, dim, sum);
     about(T, "the sum and P_0");
     for (int c = 0; c < dim; c++)
@@ -188,7 +190,7 @@ CLAIM(zero_factorial_zero_divides_by_zero)
 :::{statement} slides-ch4:4-degree-2
 :title: Degree 2, as a sum and by a matrix
 :zh: 二次 Bézier 曲线及其矩阵形式
-:printed: P(t)=(1-t)^2P_0+2t(1-t)P_1+t^2P_2=[t^2\;t\;1]\begin{bmatrix}1&-2&1\\-2&2&0\\1&0&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\end{bmatrix}
+:printed: P(t)=(1-t)^2P_0+2t(1-t)P_1+t^2P_2=[t^2\;t\;1]\begin{bmatrix}1&-2&1\\-2&2&0\\1&0&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\end{bmatrix},\quad0\le t\le1
 :holds-by: small_degrees_written_out
 :figure: degrees_one_to_three
 
@@ -199,7 +201,7 @@ choices of the signs one alone gives the curve.
 :::{statement} slides-ch4:4-degree-3
 :title: Degree 3, as a sum and by a matrix
 :zh: 三次 Bézier 曲线及其矩阵形式
-:printed: P(t)=(1-t)^3P_0+3t(1-t)^2P_1+3t^2(1-t)P_2+t^3P_3=[t^3\;t^2\;t\;1]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\\-3&3&0&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix}
+:printed: P(t)=(1-t)^3P_0+3t(1-t)^2P_1+3t^2(1-t)P_2+t^3P_3=[t^3\;t^2\;t\;1]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\\-3&3&0&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix},\quad0\le t\le1
 :holds-by: small_degrees_written_out
 :figure: degrees_one_to_three
 
@@ -211,7 +213,7 @@ In the text at hand the ten numbers of the matrix that are not 0 have no signs: 
 :zh: 一、二、三次曲线的展开式与矩阵
 :given: $n=1,2,3$, any points of the plane, any $t$
 :then: the sums that are written out, and the products with the matrices, are the curve
-:method: Term by term against `bezier_casteljau`, everything a variable.  The entries are compared as the coefficients of powers of
+:method: Against the definition by binomial coefficients, everything a variable.  The entries are compared as the coefficients of powers of
   $t$ with free points, so that no other matrix, with whatever signs, gives the curve.
 :control: the sign of the last entry of the first row of each matrix
 :::
@@ -228,12 +230,11 @@ static int G(printed_entry)(int n, int i, int j)
 CLAIM(small_degrees_written_out)
 {
     static const int factor[3][4] = {{1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
-    num b[4 * dim], P[dim], t = parameter(T, "t"), s = sub(from_int(1), t);
+    num b[4 * dim], t = parameter(T, "t"), s = sub(from_int(1), t);
     G(free_points)(T, 3, dim, b);
-    for (int n = 1; n <= 3; n++) {
-        G(bezier_casteljau)(n, dim, b, t, P);
+    for (int n = 1; n <= 3; n++)
         for (int c = 0; c < dim; c++) {
-            num sum = from_int(0), product = from_int(0);
+            num P = G(curve)(n, dim, b, c, t), sum = from_int(0), product = from_int(0);
             for (int j = 0; j <= n; j++) {
                 num term = mul(from_int(factor[n - 1][j]), mul(G(power)(t, j), G(power)(s, n - j)));
                 sum = add(sum, mul(term, b[j * dim + c]));
@@ -244,11 +245,10 @@ CLAIM(small_degrees_written_out)
                 }
             }
             about(T, "the sum");
-            same(T, sum, P[c]);
+            same(T, sum, P);
             about(T, "the matrix");
-            same(T, product, P[c]);
+            same(T, product, P);
         }
-    }
 }
 
 /*
@@ -423,7 +423,7 @@ CLAIM(first_term_divides_by_zero)
 :printed: $P'(t)=-\frac{n!}{(n-1)!}(1-t)^{n-1}P_0+\frac{n!}{(n-1)!}(1-t)^{n-1}P_1-\frac{n!}{(n-2)!}t(1-t)^{n-2}P_1+\dots+\frac{n!}{(n-2)!}t^{n-2}(1-t)P_{n-1}-\frac{n!}{(n-1)!}t^{n-1}P_{n-1}+\frac{n!}{(n-1)!}t^{n-1}P_n$
 :holds-by: bernstein_derivative sums_by_parts_give_the_edges
 :confirmed-by: derivative_in_three_steps
-:hypothesis: terms_in_a_row_come_twice_for_two_edges | the terms are those from the first to the last, each once: written out as
+:hypothesis: terms_in_a_row_come_twice_for_two_edges | from $n=2$ on the terms are those from the first to the last, each once: written out as
   six they are right from $n=3$ on; for $n=2$ two of them come twice
 :hypothesis: terms_in_a_row_come_twice_for_one_edge | for $n=1$ only the first and the last term are taken: there is no
   $(n-2)!$, and the four others are twice the two
@@ -621,7 +621,7 @@ whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 :needs: function_is_negative_outside_the_interval | the line itself and the definition of the curve, $0\le t\le1$ | $0\le t\le1$
 :figure: bernstein_basis
 
-That a function is at most 1 follows from the two others: the sum is 1, and no function is negative.
+That a function is at most 1 follows from the two others as well: the sum is 1, and no function is negative.
 :::
 */
 
@@ -659,7 +659,8 @@ CLAIM(function_is_negative_outside_the_interval)
 :printed: the convex hull property of the curve (曲线的凸包性, the heading above the set $M$ and the two properties of the functions)
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
-:needs: curve_leaves_hull_outside_the_interval | the definition of the curve, $0\le t\le1$ | $0\le t\le1$
+:needs: curve_leaves_hull_outside_the_interval | the definition of the curve, $0\le t\le1$ | $0\le t\le1$; with equal weights,
+  as in this example, the rational curve is the Bézier curve
 :figure: bezier_hull
 
 No sentence says what the property is.  The set and the properties of the functions that are printed below the heading leave one meaning: the

@@ -57,11 +57,12 @@ recurrence of the Bernstein polynomials.
 /* What has been done to the arrays of a program. */
 struct G(memory) {
     int made, released, released_otherwise; /* arrays; the last: as if they were single numbers */
+    int too_late;                           /* accesses to, and releases of, what was released */
     int beyond, unwritten;                  /* accesses beyond an end; reads of what was never written */
 };
 struct G(array) {
     struct G(memory) * memory;
-    int size, written[MOST_PLACES];
+    int size, gone, written[MOST_PLACES], read[MOST_PLACES]; /* released; how often each place */
     num at[MOST_PLACES];
 };
 
@@ -73,26 +74,31 @@ static void G(make_array)(struct G(memory) * memory, int size, struct G(array) *
 
 static void G(release_array)(struct G(array) * A, int as_array)
 {
+    A->memory->too_late += A->gone;
+    A->gone = 1;
     A->memory->released++;
     A->memory->released_otherwise += !as_array;
 }
 
 static void G(put)(struct G(array) * A, int i, num value)
 {
+    A->memory->too_late += A->gone;
     if (i < 0 || i >= A->size) {
         A->memory->beyond++;
         return;
     }
-    A->written[i] = 1;
+    A->written[i]++;
     A->at[i] = value;
 }
 
-static num G(get)(const struct G(array) * A, int i)
+static num G(get)(struct G(array) * A, int i)
 {
+    A->memory->too_late += A->gone;
     if (i < 0 || i >= A->size) {
         A->memory->beyond++;
         return from_int(0);
     }
+    A->read[i]++;
     A->memory->unwritten += !A->written[i];
     return A->written[i] ? A->at[i] : from_int(0);
 }
@@ -103,6 +109,7 @@ struct G(program) {
     num (*round)(num x); /* after every operation */
     int first;           /* of the inner loop: 0 as printed                             */
     int missing;         /* places that R lacks: 0 as printed                           */
+    int missing_of_Q;    /* places that Q lacks: 0 as printed                           */
     int as_array;        /* delete[]: 0 as printed                                      */
     int two_products;    /* (1-t) R_i + t R_{i+1}: 0 as printed                          */
     int by_quotient;     /* t = i/npoints: 0 as printed                                 */
@@ -111,13 +118,13 @@ struct G(program) {
 
 static inline num G(unrounded)(num x) { return x; }
 
-static num G(decas)(struct G(program) * run, int n, const struct G(array) * P, num t)
+static num G(decas)(struct G(program) * run, int n, struct G(array) * P, num t)
 {
     num (*fl)(num) = run->round, P0;
     struct G(array) R, Q;
     int m, i;
     G(make_array)(&run->memory, n + 1 - run->missing, &R);
-    G(make_array)(&run->memory, n + 1, &Q);
+    G(make_array)(&run->memory, n + 1 - run->missing_of_Q, &Q);
     for (i = 0; i <= n; i++)
         G(put)(&R, i, G(get)(P, i));
     for (m = n; m > 0; m--) {
@@ -192,7 +199,7 @@ step is already rounded, unless npoints is a power of 2, and so is each sum.
 :holds-by: equal_steps_reach_every_part
 :confirmed-by: program_ends_at_one_in_exact_arithmetic sum_of_steps_is_seldom_one
 :hypothesis: sum_of_steps_misses_one | the arithmetic is exact: in binary64 the last parameter need not be 1
-:hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
+:hypothesis: no_steps_have_no_length | $npoints\ge1$: for $npoints=0$ the step would be $\frac10$
 :figure: last_parameter
 :striking: 46
 
@@ -210,7 +217,7 @@ The last point has the parameter after npoints steps; the step behind it is not 
 :confirmed-by: corrected_program_ends_at_the_last_point program_computes_the_curve
 :hypothesis: last_point_of_the_example_is_missed | the arithmetic is exact: in binary64 the last of them need not be the end of
   the curve
-:hypothesis: no_steps_have_no_length | $npoints\ne0$: 1 is divided by it
+:hypothesis: no_steps_have_no_length | $npoints\ge1$: for $npoints=0$ the step would be $\frac10$
 :figure: last_parameter
 
 With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the first and the last point are exact in binary64, too, for one cubic and up to 24 steps:
@@ -241,8 +248,7 @@ CLAIM(no_steps_have_no_length)
 #endif
 
 /* Returns the last parameter. */
-static num G(bez_to_points)(struct G(program) * run, int n, int npoints, const struct G(array) * P,
-                            struct G(array) * points)
+static num G(bez_to_points)(struct G(program) * run, int n, int npoints, struct G(array) * P, struct G(array) * points)
 {
     num (*fl)(num) = run->round, delt = fl(div(from_int(1), from_int(npoints))), t = from_int(0), last = t;
     if (run->early)
@@ -323,6 +329,8 @@ CLAIM(program_ends_at_one_in_exact_arithmetic)
 :printed: P holds the coordinates of the control points, $n+1$ in number
 :holds-by: program_stays_in_its_arrays
 :argued: every n and every number of steps | The points are read once, P[i] for $i=0,\dots,n$, in each call, and the calls know nothing of one another.
+
+Each of them is needed, and no other is read.
 :::
 */
 
@@ -343,8 +351,9 @@ static num drawn(struct program_q *run, int n, const num b[], int steps, int pla
 :kind: decision
 :data: npoints = 8
 :given: polygons of degree $n$ and npoints steps; an array of npoints+1 places for the points, delete[] for the arrays
-:then: nothing is read or written beyond an end, nothing is read before it is written, every array is released once in its own way, two for each of
-  the npoints+1 points
+:then: nothing is read or written beyond an end, nothing is read before it is written or after it is released; `R` and `Q` are made for each of the
+  npoints+1 points, and each is released once in its own way; each of the npoints+1 places for the points is written once, and each of the $n+1$ control points
+  is read once for each of these; all this is so with $n$ places for `Q`, too
 :method: The program on the arrays that count.  What it touches depends on $n$ and the number of steps only, not on the numbers.
 :degrees: 0..24
 :scope: 8 steps
@@ -354,17 +363,27 @@ static num drawn(struct program_q *run, int n, const num b[], int steps, int pla
 CLAIM(program_stays_in_its_arrays)
 {
     int n = T->degree, steps = given_whole(T, "npoints");
-    struct program_q run = {.round = unrounded_q, .as_array = 1, .missing = fault(T, 0, 1)};
-    struct array_q points;
-    num b[MOST_PLACES];
-    for (int i = 0; i <= n; i++)
-        b[i] = from_int(i * i);
-    drawn(&run, n, b, steps, steps + 1, &points);
-    counted_q(T, "places beyond an end", run.memory.beyond, 0);
-    counted_q(T, "reads of what was not written", run.memory.unwritten, 0);
-    counted_q(T, "arrays made", run.memory.made, 2 * (steps + 1));
-    counted_q(T, "arrays released", run.memory.released, run.memory.made);
-    counted_q(T, "arrays released in the wrong way", run.memory.released_otherwise, 0);
+    for (int missing_of_Q = 0; missing_of_Q <= 1; missing_of_Q++) {
+        struct program_q run = {
+            .round = unrounded_q, .as_array = 1, .missing = fault(T, 0, 1), .missing_of_Q = missing_of_Q};
+        struct array_q P, points;
+        num b[MOST_PLACES];
+        for (int i = 0; i <= n; i++)
+            b[i] = from_int(i * i);
+        given_array_q(&run, n + 1, b, &P);
+        given_array_q(&run, steps + 1, NULL, &points);
+        bez_to_points_q(&run, n, steps, &P, &points);
+        counted_q(T, "places beyond an end", run.memory.beyond, 0);
+        counted_q(T, "reads of what was not written", run.memory.unwritten, 0);
+        counted_q(T, "uses of what was released", run.memory.too_late, 0);
+        counted_q(T, "arrays made", run.memory.made, 2 * (steps + 1));
+        counted_q(T, "arrays released", run.memory.released, run.memory.made);
+        counted_q(T, "arrays released in the wrong way", run.memory.released_otherwise, 0);
+        for (int i = 0; i <= steps; i++)
+            counted_q(T, "how often the place of a point is written", points.written[i], 1);
+        for (int i = 0; i <= n; i++)
+            counted_q(T, "how often a control point is read", P.read[i], steps + 1);
+    }
 }
 
 /*
@@ -410,7 +429,7 @@ CLAIM(program_writes_one_point_too_many)
     int steps = given_whole(T, "npoints"), written = 0;
     drawn(&run, 3, P, steps, given_whole(T, "places"), &points);
     for (int i = 0; i < points.size; i++)
-        written += points.written[i];
+        written += points.written[i] > 0;
     found_whole(T, "points written", written + run.memory.beyond);
     found_whole(T, "beyond the end", run.memory.beyond);
     counted_q(T, "places beyond the end", run.memory.beyond, 0);
@@ -423,6 +442,8 @@ CLAIM(program_writes_one_point_too_many)
 :printed: R = new double[n+1], Q = new double[n+1]
 :holds-by: program_stays_in_its_arrays
 :argued: every n and every number of steps | R[i] is filled for $i\le n$, and R[i+1] and Q[i] are used for $i<m\le n$ only, so that no index is greater than $n$; and the calls know nothing of one another.
+
+`R` needs them all.  `Q` would do with $n$ places: Q[n] is never used.
 :::
 
 :::{statement} slides-ch4:4-program-delete

@@ -117,7 +117,7 @@ CLAIM(enough_equal_steps_bring_the_polyline_near)
   point of the whole curve is within $\varepsilon$ of the middle of the chord
 :method: The point of the curve and that of the chord; then the square of the distance of the middle of the chord from the curve, less $\varepsilon^2$, a
   polynomial whose sign on $[0,1]$ is found by root counts.  That it is not positive somewhere is refuted.
-:control: a chord between the last two of a thousand points in equal steps
+:control: the last chord of a thousand equal steps
 :::
 */
 CLAIM(many_points_may_crowd)
@@ -152,7 +152,7 @@ CLAIM(many_points_may_crowd)
 :printed: $P_{k,l}(t)$, $0\le t\le1$, is the Bézier curve of the points $P_k,P_{k+1},\dots,P_{k+l}$
 :refuted-by: one_point_too_many_breaks_the_recursion
 :class: misprint
-:corrected: $P_{k,l}$ is the curve of $P_k,P_{k+1},\dots,P_l$
+:corrected: $P_{k,l}$ is the curve of $P_k,P_{k+1},\dots,P_l$; so read the recursion is true.
 :corrected-by: bernstein_recurrence
 :confirmed-by: curve_blends_two_curves_of_one_point_less
 :figure: two_curves_of_one_point_less
@@ -273,15 +273,18 @@ CLAIM(binomials_add_up)
 
 /*
 :::{claim} each_point_has_one_coefficient_in_every_line
-:title: In every line of the proof a point between the first and the last has one coefficient
+:title: Each point has one coefficient in every line of the proof
 :zh: 证明各行中同一控制顶点的系数相同
-:given: integers $1\le i\le n-1$, any $t$
-:let: $c=\binom{n-1}{i-1}$, so that $\binom{n-1}i=c\frac{n-i}i$ and $\binom ni=c\frac ni$; $U=(1-t)^{n-1-i}$, $V=t^{i-1}$
+:given: an integer $n\ge1$, any $t$; integers $1\le i\le n-1$, where there are such
+:let: $c=\binom{n-1}{i-1}$, so that $\binom{n-1}i=c\frac{n-i}i$ and $\binom ni=c\frac ni$; $U=(1-t)^{n-1-i}$, $V=t^{i-1}$; $X=(1-t)^{n-1}$,
+  $Y=t^{n-1}$
 :then: the coefficient of $P_i$ is $(1-t)\binom{n-1}it^i(1-t)^{n-1-i}+t\binom{n-1}{i-1}t^{i-1}(1-t)^{n-i}$ in the last two expressions of the chain,
-  $\bigl(\binom{n-1}i+\binom{n-1}{i-1}\bigr)t^i(1-t)^{n-i}$ in the two before them, $\binom nit^i(1-t)^{n-i}$ in the first, and these are one
-:method: With $i$, $n-i$, $t$, $c$, $U$, $V$ variables.  The first and the last point have the coefficients $(1-t)^n$ and $t^n$ in every line.
-:degrees: all from 2
-:over: i n_minus_i c: i; t U V: t
+  $\bigl(\binom{n-1}i+\binom{n-1}{i-1}\bigr)t^i(1-t)^{n-i}$ in the two before them, $\binom nit^i(1-t)^{n-i}$ in the first, and these are one; those of $P_0$ and $P_n$ are $(1-t)(1-t)^{n-1}$ and $t\,t^{n-1}$ in the last two
+  expressions and $(1-t)^n$ and $t^n$ in the others, and these are one as well
+:method: With $i$, $n-i$, $t$, $c$, $U$, $V$, $X$, $Y$ variables; $(1-t)^n$ is $X$ once more multiplied by $1-t$, and $t^n$ is $Y$ multiplied by $t$.  For
+  $n=1$ there are no other points than these two.
+:degrees: all from 1
+:over: i n_minus_i c: i; t U V X Y: t
 :control: $t^i$ in the place of $t^{i-1}$ in the second product
 :::
 */
@@ -295,6 +298,10 @@ CLAIM(each_point_has_one_coefficient_in_every_line)
     same(T, add(near, far), mul(add(C, c), powers));
     about(T, "the middle of the chain and its beginning");
     same(T, mul(add(C, c), powers), mul(mul(c, div(add(i, rest), i)), powers));
+    num X = parameter(T, "X"), Y = parameter(T, "Y");
+    about(T, "the first point and the last");
+    same(T, mul(s, X), mul(X, s));
+    same(T, mul(t, Y), mul(Y, t));
 }
 
 /*

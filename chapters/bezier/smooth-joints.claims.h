@@ -46,6 +46,8 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :needs: negative_ratio_turns_back | the line itself: $a>0$ | $a>0$
 :hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: else the tangent may be continuous although there is no such $a$
 :figure: joint_of_cubics
+
+$G^1$ is meant as the slides define it, by the arc length, `slides-ch4:1-gk-definition`: the two unit tangents at the joint are equal.
 :::
 
 The step from derivatives to edges is a division by 3, and nothing can go wrong in it.  What can go wrong was there before: a derivative
@@ -233,7 +235,7 @@ CLAIM(straight_joint_with_a_zero_edge)
 :zh: 二阶导矢的两种形式
 :given: four points of the plane, any $t$
 :then: both forms are $P''(t)$; at $t=1$ and $t=0$ they are the printed differences
-:method: Against the kernel, everything a variable.
+:method: Against the second derivative of the definition, everything a variable.
 :control: $18t+12$ beside $P_1$
 :::
 */
@@ -241,13 +243,12 @@ CLAIM(second_derivative_of_a_cubic)
 {
     static const int M[2][4] = {{-1, 3, -3, 1}, {3, -6, 3, 0}}, slope[4] = {-6, 18, -18, 6},
                      constant[4] = {6, -12, 6, 0};
-    num b[4 * dim], D[3 * dim], t = parameter(T, "t");
+    num b[4 * dim], t = parameter(T, "t");
     G(free_points)(T, 3, dim, b);
     for (int place = 0; place < 3; place++) { /* at t, at 1 and at 0 */
         num u = place == 0 ? t : from_int(place == 1);
-        G(bezier_derivatives)(3, dim, b, u, 2, D);
         for (int c = 0; c < dim; c++) {
-            num product = from_int(0), sum = from_int(0);
+            num D = G(curve_derivative)(3, dim, b, c, 2, u), product = from_int(0), sum = from_int(0);
             for (int j = 0; j <= 3; j++) {
                 num first = mul(mul(from_int(6), u), from_int(M[0][j])), second = from_int(2 * M[1][j]);
                 product = add(product, mul(add(first, second), b[j * dim + c]));
@@ -255,21 +256,20 @@ CLAIM(second_derivative_of_a_cubic)
                 sum = add(sum, mul(add(mul(from_int(slope[j]), u), from_int(at_zero)), b[j * dim + c]));
             }
             about(T, "the matrix");
-            same(T, product, D[2 * dim + c]);
+            same(T, product, D);
             about(T, "the sum");
-            same(T, sum, D[2 * dim + c]);
+            same(T, sum, D);
         }
     }
     about(T, "the differences at the ends");
-    for (int end = 0; end < 2; end++) {
-        G(bezier_derivatives)(3, dim, b, from_int(end), 2, D);
+    for (int end = 0; end < 2; end++)
         for (int c = 0; c < dim; c++) {
             const num *first = b + end * dim + c;
             /* 6 P_0 - 12 P_1 + 6 P_2 at 0, 6 P_1 - 12 P_2 + 6 P_3 at 1 */
             num outer = mul(from_int(6), add(first[0], first[2 * dim]));
-            same(T, sub(outer, mul(from_int(12), first[dim])), D[2 * dim + c]);
+            num D = G(curve_derivative)(3, dim, b, c, 2, from_int(end));
+            same(T, sub(outer, mul(from_int(12), first[dim])), D);
         }
-    }
 }
 
 /*
@@ -284,8 +284,9 @@ $C^2$, and the curvature jumps as well, unless it is 0.
   $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
 :holds-by: second_derivative_of_a_cubic three_points_make_c2
 :confirmed-by: printed_condition_divides_the_curvature
-:hypothesis: equal_second_derivatives_with_unequal_first | $P_3=Q_0$, and the first derivatives are equal as well: the first of these is a condition
-  of the slides, but then they come from $G^1$ with any $a>0$
+:needs: equal_derivatives_across_a_gap | the first of the conditions, $P_3=Q_0$ | $P_3=Q_0$
+:hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well: the slides have asked only for $Q_0'=aP_3'$ with
+  some $a>0$
 :figure: second_derivatives_alone
 :striking: 45
 
@@ -337,6 +338,39 @@ CLAIM(three_points_make_c2)
 }
 
 #if RATIONAL
+/*
+:::{claim} equal_derivatives_across_a_gap
+:title: Equal derivatives of two curves that do not meet
+:zh: 导矢相等而曲线不相接
+:kind: counterexample
+:data: P = 0 1 3 4; Q = 5 6 6 4
+:instead: Q = 4 5 5 3
+:result: P(1) = 4; P'(1) = 3; P''(1) = -6; Q(0) = 5; Q'(0) = 3; Q''(0) = -6
+:given: two cubics of a line with the points $P$ and $Q$; $P_3\ne Q_0$
+:then: the first and the second derivatives at the joint are equal, and the values are not
+:method: The kernel at the ends.
+:control: $Q$ moved to $P_3$
+:::
+*/
+CLAIM(equal_derivatives_across_a_gap)
+{
+    static const char *const before[3] = {"P(1)", "P'(1)", "P''(1)"}, *const after[3] = {"Q(0)", "Q'(0)", "Q''(0)"};
+    num P[4], Q[4], D[3], E[3];
+    given_points(T, "P", 4, 1, P);
+    given_points(T, "Q", 4, 1, Q);
+    bezier_derivatives_q(3, 1, P, from_int(1), 2, D);
+    bezier_derivatives_q(3, 1, Q, from_int(0), 2, E);
+    for (int k = 0; k <= 2; k++)
+        found(T, before[k], D[k]);
+    for (int k = 0; k <= 2; k++)
+        found(T, after[k], E[k]);
+    about(T, "the derivatives");
+    same(T, E[1], D[1]);
+    same(T, E[2], D[2]);
+    about(T, "the values");
+    same(T, E[0], D[0]);
+}
+
 /*
 :::{claim} equal_second_derivatives_with_unequal_first
 :title: Equal second derivatives at a joint that is not C1

@@ -5,12 +5,13 @@ The slides compute seven points of the cubic with $P_0=(1,1)$, $P_1=(2,3)$, $P_2
 parameter, the four functions $(1-t)^3$, $3t(1-t)^2$, $3t^2(1-t)$, $t^3$, and the point.  The functions are printed with three
 digits, or with two that count, the points with up to four digits after the point.  A number is right here when the exact
 value, rounded to as many digits as are printed, is that number: when the two are at most half a unit of the last printed
-digit apart.  The slides name no rule; where it matters whether a five is rounded up we say so.
+digit apart.  In the first row, the middle one and the last nothing has to be rounded, and a number is right when it is the exact value.
+The slides name no rule; where it matters whether a five is rounded up we say so.
 
 All twenty-eight values of the functions are right.  Of the fourteen coordinates six are wrong, and one, $y(0.65)$, is right unless
 fives are rounded up.  Two of the six are what the rounded functions give, whose sum is not 1; the other four are neither that nor
-the exact value.  The points have the
-heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradicts itself twice.
+the exact value.  The points have the heights 1, 3, 3, 1, so the curve has $y(t)=y(1-t)$: the column of $y$ contradicts itself
+twice.
 */
 #include "chapters/bezier/definition.h"
 
@@ -68,10 +69,9 @@ static void is_rounded(trial *T, num printed, int more, num exact)
     nonnegative(T, add(half, gap));
 }
 
-/* Compare the functions B that are printed in the row of t, and of x and y those that are asked for. */
-static void right_numbers(trial *T, int x, int y)
+/* Compare the functions B that are printed in the row of t, and y if it is asked for: rounded. */
+static void right_numbers(trial *T, int y)
 {
-    const int asked[dim] = {x, y};
     num P[4 * dim], B[4];
     given_points(T, "P", 4, dim, P);
     num t = given(T, "t");
@@ -80,11 +80,26 @@ static void right_numbers(trial *T, int x, int y)
         about(T, "a function");
         is_rounded(T, B[i], fault(T, 0, i == 0), G(basis)(3, i, t));
     }
-    for (int c = 0; c < dim; c++)
-        if (asked[c]) {
-            about(T, "a coordinate");
-            is_rounded(T, given(T, c == 0 ? "x" : "y"), 0, G(curve)(3, dim, P, c, t));
-        }
+    if (y) {
+        about(T, "a coordinate");
+        is_rounded(T, given(T, "y"), 0, G(curve)(3, dim, P, 1, t));
+    }
+}
+
+/* Compare all that is printed in the row of t, where nothing is rounded. */
+static void exact_numbers(trial *T)
+{
+    num P[4 * dim], B[4], t = given(T, "t");
+    given_points(T, "P", 4, dim, P);
+    given_points(T, "B", 4, 1, B);
+    for (int i = 0; i <= 3; i++) {
+        about(T, "a function");
+        same(T, fault(T, B[i], i == 0 ? add(B[i], last_unit(B[i])) : B[i]), G(basis)(3, i, t));
+    }
+    for (int c = 0; c < dim; c++) {
+        about(T, "a coordinate");
+        same(T, given(T, c == 0 ? "x" : "y"), G(curve)(3, dim, P, c, t));
+    }
 }
 
 /*
@@ -94,12 +109,12 @@ static void right_numbers(trial *T, int x, int y)
 :kind: decision
 :data: P = (1,1) (2,3) (4,3) (3,1); t = 0; B = 1 0 0 0; x = 1; y = 1
 :given: the cubic with the points $P$, a parameter $t$, and what is printed in its row: the values $B$ of the four functions and $x$ and $y$
-:then: each is the exact value, rounded to the digits that are printed
-:method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
+:then: each is the exact value
+:method: The exact value, and the printed one as the decimal it is; they are equal.
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_start) { right_numbers(T, 1, 1); }
+CLAIM(table_row_of_start) { exact_numbers(T); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.15-basis
@@ -121,7 +136,7 @@ CLAIM(table_row_of_start) { right_numbers(T, 1, 1); }
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_fifteen_hundredths) { right_numbers(T, 0, 1); }
+CLAIM(table_row_of_fifteen_hundredths) { right_numbers(T, 1); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.15-x
@@ -226,7 +241,7 @@ CLAIM(exact_values_of_the_table)
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_thirty_five_hundredths) { right_numbers(T, 0, 0); }
+CLAIM(table_row_of_thirty_five_hundredths) { right_numbers(T, 0); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.35-x
@@ -369,12 +384,12 @@ CLAIM(table_misses_the_second_y) { wrong_number(T, "y"); }
 :kind: decision
 :data: P = (1,1) (2,3) (4,3) (3,1); t = 0.5; B = 0.125 0.375 0.375 0.125; x = 2.75; y = 2.5
 :given: the cubic with the points $P$, a parameter $t$, and what is printed in its row: the values $B$ of the four functions and $x$ and $y$
-:then: each is the exact value, rounded to the digits that are printed
-:method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
+:then: each is the exact value
+:method: The exact value, and the printed one as the decimal it is; they are equal.
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_middle) { right_numbers(T, 1, 1); }
+CLAIM(table_row_of_middle) { exact_numbers(T); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.65-basis
@@ -396,7 +411,7 @@ CLAIM(table_row_of_middle) { right_numbers(T, 1, 1); }
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_sixty_five_hundredths) { right_numbers(T, 0, 1); }
+CLAIM(table_row_of_sixty_five_hundredths) { right_numbers(T, 1); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.65-x
@@ -441,7 +456,7 @@ CLAIM(table_misses_the_third_x) { wrong_number(T, "x"); }
 :hypothesis: five_rounded_up_gives_another_digit | a five is not rounded up: 四舍五入 gives 2.37
 :figure: worked_table
 
-The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or cut off.  The sum with the rounded factors is 2.367.
+The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or cut off, which the functions of the table are not.  The sum with the rounded factors is 2.367.
 :::
 
 One number is right or not by the rule of rounding that is taken, because the exact value lies exactly between two candidates.
@@ -522,7 +537,7 @@ CLAIM(heights_of_the_example_are_symmetric)
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_eighty_five_hundredths) { right_numbers(T, 0, 0); }
+CLAIM(table_row_of_eighty_five_hundredths) { right_numbers(T, 0); }
 
 /*
 :::{statement} slides-ch4:table-bezier-row-0.85-x
@@ -617,12 +632,12 @@ CLAIM(table_misses_the_fourth_y) { wrong_number(T, "y"); }
 :kind: decision
 :data: P = (1,1) (2,3) (4,3) (3,1); t = 1; B = 0 0 0 1; x = 3; y = 1
 :given: the cubic with the points $P$, a parameter $t$, and what is printed in its row: the values $B$ of the four functions and $x$ and $y$
-:then: each is the exact value, rounded to the digits that are printed
-:method: The exact value, and the printed one as the decimal it is; their distance is at most half a unit of the last printed digit.
+:then: each is the exact value
+:method: The exact value, and the printed one as the decimal it is; they are equal.
 :control: one unit more in the last digit of the first function
 :::
 */
-CLAIM(table_row_of_end) { right_numbers(T, 1, 1); }
+CLAIM(table_row_of_end) { exact_numbers(T); }
 #endif
 
 #include "chapters/judge/claims_off.h"
