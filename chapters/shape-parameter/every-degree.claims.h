@@ -408,7 +408,7 @@ pairs of edges, whose factors are powers of $s$ and $t$ times numbers.
   $K_{ab}=\binom{n-1}a\binom{n-1}b\frac{b-a}{(n-1)^2}\bigl(2n(n-1)+\beta(n-1-2a)(n-1-2b)\bigr)$
 :method: The derivative of the curve by the kernel, $\partial_\beta q=q_{\beta+1}-q_\beta$, since the curve is linear in $\beta$; everything a
   variable.
-:degrees: 2..4 sampled 9
+:degrees: 2..7 sampled 9
 :control: $\beta$ left out of $K_{ab}$
 :::
 */

@@ -24,14 +24,15 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
   triangle $b_0b_1b_2$, its weight at $b_1$ does not fall and those at $b_0$ and $b_2$ do not grow; if the polygon is convex and turns by
   at most two right angles, each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1
 :corrected-by: curve_is_a_blend_of_three_points corrected_functions_sum_to_one blend_is_convex_from_minus_two_to_one
-  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
-:confirmed-by: growing_beta_pushes_by_the_turns
+  growing_beta_pushes_by_the_turns turns_push_outward_in_the_range
+:confirmed-by: turns_push_by_these_numbers_in_every_degree product_of_two_sums_goes_by_pairs
 :figure: closer_or_not
 :striking: 11
 :degree: 7
 
 The weights are the functions of the family for $n=2$, whose sum is 1.  Outward is, for the curve $q$, to the right of $q'$, or along it, where the polygon turns to the left:
-$q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$, $e_k=P_{k+1}-P_k$, with the factors of the claims, none of them positive in the range.
+$q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$, $e_k=P_{k+1}-P_k$, with the factors of the claims, none of them positive in the range;
+and where a convex polygon turns to the left by at most two right angles, the angle from $e_a$ to $e_b$ is between 0 and $\pi$, and $e_a\times e_b\ge0$.
 :::
 */
 
