@@ -2,8 +2,8 @@
 # Closer to the polygon? (逼近性)
 
 A curve may be near its polygon in several senses: the largest distance of a point of the curve from the polygon; the
-largest distance of a control point from the curve; the distance of the point of one $t$.  In the first two senses a larger
-$\beta$ can make the curve worse, in the true range of $\beta$ and even for a convex polygon.
+largest distance of a control point from the curve; the distance of the point of one $t$.  In all three senses a larger
+$\beta$ can make the curve worse, in the true range of $\beta$; in the first and the third even for a convex polygon.
 */
 #include "exact/record/hull.h"
 
@@ -52,7 +52,7 @@ $t$.  Where one edge does not serve for the whole piece, the piece is halved.  "
   control points farther than R, printed = 0 1
 :given: a polygon, two values of $\beta$, and the squares of two distances; printed and corrected functions
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is
-  farther; for the first $\beta$ every control point is nearer to the curve than $R$, for the second not every one
+  farther; for the first $\beta$ no control point is farther from the curve than $R$, for the second one is
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by the signs of three
   polynomials (the foot on the edge, the distance to its line).  Farther: one rational $t$ and all seven edges; for a control
   point the sign of $|q(t)-P_i|^2-R^2$ on $[0,1]$.
@@ -79,7 +79,7 @@ CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
 /*
 One may suspect the polygon above, which turns to and fro.  But a convex one does as well, and the next example takes
 $\beta$ from one end of the true range to the other.  For the same polygon the curve of $\beta=1$ is nevertheless nearer
-than the Bézier curve of $\beta=0$: on the way through the range the distance grows at first and falls later.
+than the Bézier curve of $\beta=0$: the largest distance is greater there than at both ends of the range.
 
 :::{claim} larger_beta_is_worse_for_a_convex_polygon
 :title: From the left end of the range to its right end a curve goes away from its convex polygon
@@ -111,7 +111,7 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon) { G(refute_closer_to_a_convex_p
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second, the Bézier curve,
   some point is farther
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
-  rational $t$ and all edges.
+  rational $t$ and all edges.  `hull.h` decides that the polygon is convex.
 :degrees: 7..7
 :scope: the stated polygon
 :control: the two values of $\beta$ exchanged
@@ -153,7 +153,7 @@ another one it is lost.
   distance; printed and corrected functions
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
-  rational $t$ and all edges.
+  rational $t$ and all edges.  `hull.h` decides that the polygon is convex.
 :control: the two values of $\beta$ exchanged
 :::
 */
