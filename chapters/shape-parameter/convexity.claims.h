@@ -32,6 +32,7 @@ sense, for a triangle and its base.
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes
     linear_factor_adds_a_change_of_sign four_vertices_of_a_convex_polygon_do_not_alternate
   triangle_has_three_points_on_its_base_below_the_range functions_are_independent_but_for_two_values
+  line_function_of_the_curve combination_begins_and_ends_with_its_coefficients
 :confirmed-by: roots_are_at_most_sign_changes third_function_has_a_zero_for_every_smaller_beta
 :meant: the word point of intersection (交点) | Common points are counted as points of the plane.
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
@@ -40,8 +41,8 @@ sense, for a triangle and its base.
 
 A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on
 it none; so together with the ends there are never more than two common points.  With $P_0=P_7$ on the line one change is
-possible, and $t=0$, $t=1$ are one point of the curve.  All of $f$ is 0 only at $\beta=-\frac{21}4$, for multiples of
-coefficients that change their sign three times.
+possible, and $t=0$, $t=1$ are one point of the curve.  In the range all of $f$ is 0 only for $k=0$, the polygon then being on the line, and
+at $\beta=-\frac{21}4$ for multiples of coefficients that change their sign three times.
 :::
 
 :::{statement} deng-zhang-2022:property-3.7-reason
