@@ -683,7 +683,7 @@ CLAIM(reversed_polygon_reverses_the_curve)
 :title: The chain that proves the symmetry
 :zh: 式 (12)
 :printed: B_1(1-t)=\sum_{i=0}^7P_{7-i}B_{i,7}(1-t)=\sum_{j=0}^7P_jB_{j,7}(t)=B_1(t)
-:refuted-by: curve_is_not_its_own_reverse
+:refuted-by: curve_is_not_its_own_reverse printed_curve_is_not_reversed
 :class: misprint
 :corrected: $\tilde B(1-t)=\sum P_{7-i}B_{i,7}(1-t)=\sum P_jB_{j,7}(t)=q(t)$, where $\tilde B$ on the left is the curve of the
   reversed polygon, $q$ that of the polygon, and the functions are the corrected ones
@@ -691,7 +691,8 @@ CLAIM(reversed_polygon_reverses_the_curve)
 :figure: two_directions_two_curves
 :degree: 7
 
-As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.
+As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.  With the printed functions the
+equation in the middle fails, too: the left sum is the point of the reversed polygon at $1-t$, the right one that at $t$.
 :::
 */
 
