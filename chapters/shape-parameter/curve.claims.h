@@ -5,9 +5,9 @@ The curve is $q_\beta(t)=\sum P_iB_{i,n}(t)$.  In the Bernstein basis of degree 
 
 $$Q_k=\frac{\varphi_{k-1}P_{k-1}+\nu_kP_k}{\binom{n+1}k},\qquad k=0,\dots,n+1,$$
 
-and with the corrected functions $\varphi_{k-1}+\nu_k=\binom{n+1}k$: every $Q_k$ divides an edge of the polygon, and $\beta$
-moves it along that edge.  For $\beta=0$ this is degree elevation (升阶).  With the printed functions $Q_4$ and $Q_5$ leave
-their edges, and the curve depends on the place of the origin.
+and with the corrected functions $\varphi_{k-1}+\nu_k=\binom{n+1}k$: every inner $Q_k$ is on the line of an edge of the
+polygon, and $\beta$ moves it along that line, but for a middle one, which stays.  For $\beta=0$ this is degree
+elevation (升阶).  With the printed functions $Q_4$ and $Q_5$ leave their lines, and the curve depends on the place of the origin.
 */
 #include "exact/record/hull.h"
 
@@ -90,8 +90,8 @@ With the printed functions and with the corrected ones it is a Bézier curve of 
 :::
 
 :::{claim} bezier_points_divide_the_edges
-:title: The Bézier points of the curve divide the edges of the polygon
-:zh: 曲线的 Bézier 点分割控制多边形的边
+:title: The inner Bézier points of the curve are on the lines of the edges of the polygon
+:zh: 曲线的内 Bézier 点在控制多边形各边所在的直线上
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
 :then: the curve of degree $n+1$ of the points of `shape_bezier_points` is $\sum P_iB_{i,n}(t)$; they are the rows of
   `shape_matrix` applied to the $P_i$; and
@@ -187,7 +187,7 @@ all.  A polygon that has no other edge gives one curve for all $\beta$, and this
 :printed: figure 2 shows, from right to left, the curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that this order is from right to left: the polygon is not given, so that nothing is there to be decided
 :reading: printed_points_move_evenly_with_beta | the points of one $t$ stand on a straight line in equal distances, in the order of
-  $\beta$, for the printed functions; on which side is a matter of the polygon, which the text does not give
+  $\beta$, or are one point, for the printed functions; on which side is a matter of the polygon, which the text does not give
 :reading: points_move_evenly_with_beta | the same for the corrected functions
 :figure: curves_for_several_beta
 :::
@@ -251,11 +251,12 @@ CLAIM(printed_points_move_evenly_with_beta)
 :zh: 形状可调性
 :printed: with the vertices of the control polygon unchanged, different curves that approximate the polygon can be produced by adjusting the parameter
 :holds-by: points_move_evenly_with_beta printed_points_move_evenly_with_beta polygons_that_do_not_move
-:hypothesis: edges_that_do_not_move | not $0,0,0,0,5v,v,v,v$ with the printed functions, and not $P,P,P,P,Q,Q,Q,Q$ with the
-  corrected ones: these polygons $P_0,\dots,P_7$, any $v$, $P$ and $Q$, have one curve for all $\beta$
+:hypothesis: edges_that_do_not_move | the polygon is not $0,0,0,0,5v,v,v,v$ (printed functions) or $P,P,P,P,Q,Q,Q,Q$ (corrected
+  ones): these polygons $P_0,\dots,P_7$, any $v$, $P$ and $Q$, have one curve for all $\beta$
 :figure: edges_that_do_not_move
 
-Different as parametrized curves; their sets of points are not compared.
+Different as parametrized curves.  As sets of points they may be one: with the corrected functions and $-\frac{21}4\le\beta\le1$ the curve of
+points of a segment from $P_0$ to $P_7$ is this segment, which is the hull.  Whether the curves approximate the polygon, is asked by property 3.5.
 :::
 */
 
@@ -463,8 +464,8 @@ CLAIM(derivatives_of_the_curve)
 :hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$
 :hypothesis: double_end_point_has_no_end_edge | the end edges are not 0
 :figure: end_edges
-:::
 :degree: 7
+:::
 */
 
 #if RATIONAL
