@@ -296,13 +296,14 @@ The lemma that is cited for $k_7<0$ is not in the text.
 :refuted-by: one_change_of_sign_and_three_roots one_change_of_sign_and_two_roots
 :class: invalid-proof
 :corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$;
-  when $k_7=0$ it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
+  when $k_7=0$ it excludes nothing; for $k_0>0$ and $-\frac{21}4\le\beta\le1$ the conclusion is true by total positivity
 :corrected-by: combination_begins_and_ends_with_its_coefficients roots_inside_tell_the_signs_at_the_ends seven_changes_end_below_zero
   totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: roots_at_minus_seven
 
-With $k_0,k_7\ne0$ the number of roots, counted with multiplicity, is even or odd as $SA$ is, so that it is not $SA+1$.
+With $k_0,k_7\ne0$ the number of roots, counted with multiplicity, is even or odd as $SA$ is, so that it is not $SA+1$.  Since $f(0)=k_0>0$,
+$f$ is not the zero function.
 :::
 
 The two counterexamples enter the two gaps.  In the first the signs at the ends differ, and an odd number of roots is
