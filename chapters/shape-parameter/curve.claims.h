@@ -407,7 +407,7 @@ CLAIM(end_points_and_end_derivatives)
 :then: row $k$ of `shape_derivatives` is the $k$-th derivative of $\sum P_iB_{i,n}$ at $t$, $0\le k\le n+2$
 :method: In the field the formula of the curve is differentiated with respect to $t$; in the other number types the formula
   is differentiated as a product of powers by Leibniz's rule.
-:degrees: 2..6 sampled 10
+:degrees: 2..7 sampled 10
 :defines: shape_derivatives
 :control: $-\beta$ in the place of $\beta$
 :::
