@@ -32,6 +32,7 @@ sense, for a triangle and its base.
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes
     linear_factor_adds_a_change_of_sign four_vertices_of_a_convex_polygon_do_not_alternate
   triangle_has_three_points_on_its_base_below_the_range functions_are_independent_but_for_two_values
+  line_function_of_the_curve combination_begins_and_ends_with_its_coefficients
 :confirmed-by: roots_are_at_most_sign_changes third_function_has_a_zero_for_every_smaller_beta
 :meant: the word point of intersection (交点) | Common points are counted as points of the plane.
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
@@ -40,8 +41,8 @@ sense, for a triangle and its base.
 
 A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on
 it none; so together with the ends there are never more than two common points.  With $P_0=P_7$ on the line one change is
-possible, and $t=0$, $t=1$ are one point of the curve.  All of $f$ is 0 only at $\beta=-\frac{21}4$, for multiples of
-coefficients that change their sign three times.
+possible, and $t=0$, $t=1$ are one point of the curve.  In the range all of $f$ is 0 only for $k=0$, the polygon then being on the line, and
+at $\beta=-\frac{21}4$ for multiples of coefficients that change their sign three times.
 :::
 
 :::{statement} deng-zhang-2022:property-3.7-reason
@@ -50,7 +51,7 @@ coefficients that change their sign three times.
 :printed: this is because a line and the (convex) control polygon have at most two points of intersection
 :holds-by: four_vertices_of_a_convex_polygon_do_not_alternate sign_changes_are_polygon_crossings
   points_between_two_on_one_side_are_on_it
-:hypothesis: line_through_an_edge_has_no_two_sides | the line contains no edge; crossings are at most two in any case
+:hypothesis: line_along_an_edge_has_three_points_of_a_convex_polygon | the line contains no edge; crossings are at most two in any case
 :argued: | From crossings to points: three different points $X,Y,Z$ of the polygon on the line, in its order, may be taken for vertices, for no
   determinant becomes negative. A vertex $V$ between $X$ and $Y$ and off the line has $D_{XVY},D_{YZV},D_{ZXV}\ge0$, by which $Z$ lies between
   $X$ and $Y$; one between $Y$ and $Z$ puts $X$ between $Y$ and $Z$. Not both can be; so from $X$ to $Y$ or from $Y$ to $Z$ the polygon is on the
@@ -61,6 +62,42 @@ coefficients that change their sign three times.
 */
 
 #if RATIONAL
+/*
+:::{claim} line_along_an_edge_has_three_points_of_a_convex_polygon
+:title: A line along an edge has three points in common with a convex polygon
+:zh: 沿边的直线与凸多边形有三个公共点
+:kind: counterexample
+:data: P = (0,0) (1,6) (2,10) (3,12) (4,12) (5,10) (6,6) (7,0); j = 3; λ = 0 1/2 1; Q = (7/2,12); u = (0,1)
+:instead: u = (1,0)
+:result: X = (3,12) (7/2,12) (4,12); u·(X-Q) = 0 0 0
+:given: a convex polygon, three points $X=P_j+\lambda(P_{j+1}-P_j)$ of one of its edges, and the line through $Q$ with the normal vector $u$,
+  orthogonal to this edge
+:then: the three points are different and on the line
+:method: Points and products, exactly; `hull.h` decides that the polygon is convex.
+:control: the line through $Q$ across the edge
+:::
+*/
+CLAIM(line_along_an_edge_has_three_points_of_a_convex_polygon)
+{
+    num P[8 * dim], lambda[3], Q[dim], u[dim], X[3 * dim], side[3];
+    given_points(T, "P", 8, dim, P);
+    int j = given_whole(T, "j"), on_it = 0;
+    given_points(T, "λ", 3, 1, lambda);
+    given_points(T, "Q", 1, dim, Q);
+    given_points(T, "u", 1, dim, u);
+    const num *A = P + j * dim, *B = A + dim;
+    for (int m = 0; m < 3 * dim; m++)
+        X[m] = add(A[m % dim], mul(lambda[m / dim], sub(B[m % dim], A[m % dim])));
+    G(sides)(2, X, Q, u, side);
+    found_points(T, "X", 3, dim, X);
+    found_points(T, "u·(X-Q)", 3, 1, side);
+    for (int m = 0; m < 3; m++)
+        on_it += is_zero_q(side[m]);
+    int in_order = compare_q(X[0], X[dim]) < 0 && compare_q(X[dim], X[2 * dim]) < 0;
+    about(T, "the polygon is not convex, or at most two of the points are different and on the line");
+    refute(T, polygon_is_convex(7, P, 0, NULL) && in_order && on_it > 2);
+}
+
 /*
 :::{claim} closed_polygon_has_three_parameters_on_a_line
 :title: The curve of a closed convex polygon may have three parameters on a line

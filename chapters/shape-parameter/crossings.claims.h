@@ -25,7 +25,7 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
 :::{statement} deng-zhang-2022:property-3.6
 :title: No line crosses the curve more often than the polygon
 :zh: 变差缩减性
-:printed: the curve is variation diminishing, $-7\le\beta\le1$
+:printed: the curve is variation diminishing (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_at_minus_seven_crosses_a_line_off_its_polygon
   curve_on_a_line_that_its_polygon_crosses
 :class: false
@@ -48,7 +48,8 @@ With two neighbours $k_{i-1},k_i$ each Bernstein coefficient of $\sum k_iB_i$ is
 matrix are not negative: so the coefficients have no more changes of sign than $k$, and the roots in $(0,1)$ are no more than these.
 With the sum 1 this is said of $k_i=u\cdot(P_i-Q)$ and of the distance of the curve from $L$.  Every change of sign is a crossing of the polygon, with
 a common point or edge of its own; an end of the curve is on $L$ when that end of the polygon is.  Below the range and above it one function has a zero inside,
-and three points or one make a polygon on one side of a line that its curve meets.  With the printed functions and $\beta\ne0$ the curve of eight equal points
+where it changes its sign: with its point at the height 1 and all others on the line $y=0$ the curve crosses this line, and the polygon does not.
+With the printed functions and $\beta\ne0$ the curve of eight equal points
 $P$ that are not the origin is $(1-4\beta(1-t)^3t^4)P$, and meets lines that do not meet $P$.
 :::
 */
@@ -236,8 +237,8 @@ CLAIM(third_function_has_a_zero_for_every_smaller_beta)
     vanishes(T, B[2]);
     G(shape_basis_printed)(beta, t, B);
     vanishes(T, B[2]);
-    nonnegative(T, t);
-    nonnegative(T, sub(from_ratio(4, 9), t));
+    G(must_be_positive)(T, t);
+    G(must_be_positive)(T, sub(from_ratio(4, 9), t));
 }
 
 /*
@@ -263,16 +264,15 @@ CLAIM(first_function_has_a_zero_for_every_larger_beta)
     vanishes(T, B[0]);
     G(shape_basis_printed)(beta, t, B);
     vanishes(T, B[0]);
-    nonnegative(T, sub(one, t));
+    G(must_be_positive)(T, t);
+    G(must_be_positive)(T, sub(one, t));
 }
 #endif
 
 #if RATIONAL
 /*
-Three curves show the three ways in which the print fails.  At the left end of the true range the functions are dependent,
-and a combination that vanishes is a curve that lies on a line; it crosses nothing, but has all its points in common with
-the line.  The printed functions, having another sum than 1, leave a polygon that is straight.  At $\beta=-7$ the negative
-values of $B_2$ take the curve below its triangle.
+What is counted matters, too.  Where the polygon crosses itself on the line, two parameters of it are one point of the plane, and the
+curve, already the Bézier curve, may have two.
 
 :::{claim} self_crossing_polygon_has_fewer_points_on_a_line
 :title: The curve of a polygon that crosses itself on a line has more points there
@@ -305,6 +305,11 @@ CLAIM(self_crossing_polygon_has_fewer_points_on_a_line)
 }
 
 /*
+Three curves show the three ways in which the print fails.  At the left end of the true range the functions are dependent,
+and a combination that vanishes is a curve that lies on a line; it crosses nothing, but has all its points in common with
+the line.  The printed functions, having another sum than 1, leave a polygon that is straight.  At $\beta=-7$ the negative
+values of $B_2$ take the curve below its triangle.
+
 :::{claim} curve_on_a_line_that_its_polygon_crosses
 :title: At beta = -21/4 a curve is on a line that its polygon crosses three times
 :zh: β=-21/4 时曲线全在一条直线上而控制多边形与之相交

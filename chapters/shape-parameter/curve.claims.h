@@ -5,9 +5,9 @@ The curve is $q_\beta(t)=\sum P_iB_{i,n}(t)$.  In the Bernstein basis of degree 
 
 $$Q_k=\frac{\varphi_{k-1}P_{k-1}+\nu_kP_k}{\binom{n+1}k},\qquad k=0,\dots,n+1,$$
 
-and with the corrected functions $\varphi_{k-1}+\nu_k=\binom{n+1}k$: every $Q_k$ divides an edge of the polygon, and $\beta$
-moves it along that edge.  For $\beta=0$ this is degree elevation (升阶).  With the printed functions $Q_4$ and $Q_5$ leave
-their edges, and the curve depends on the place of the origin.
+and with the corrected functions $\varphi_{k-1}+\nu_k=\binom{n+1}k$: every inner $Q_k$ is on the line of an edge of the
+polygon, and $\beta$ moves it along that line, but for a middle one, which stays.  For $\beta=0$ this is degree
+elevation (升阶).  With the printed functions $Q_4$ and $Q_5$ leave their lines, and the curve depends on the place of the origin.
 */
 #include "exact/record/hull.h"
 
@@ -90,8 +90,8 @@ With the printed functions and with the corrected ones it is a Bézier curve of 
 :::
 
 :::{claim} bezier_points_divide_the_edges
-:title: The Bézier points of the curve divide the edges of the polygon
-:zh: 曲线的 Bézier 点分割控制多边形的边
+:title: The inner Bézier points of the curve are on the lines of the edges of the polygon
+:zh: 曲线的内 Bézier 点在控制多边形各边所在的直线上
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$
 :then: the curve of degree $n+1$ of the points of `shape_bezier_points` is $\sum P_iB_{i,n}(t)$; they are the rows of
   `shape_matrix` applied to the $P_i$; and
@@ -187,7 +187,7 @@ all.  A polygon that has no other edge gives one curve for all $\beta$, and this
 :printed: figure 2 shows, from right to left, the curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that this order is from right to left: the polygon is not given, so that nothing is there to be decided
 :reading: printed_points_move_evenly_with_beta | the points of one $t$ stand on a straight line in equal distances, in the order of
-  $\beta$, for the printed functions; on which side is a matter of the polygon, which the text does not give
+  $\beta$, or are one point, for the printed functions; on which side is a matter of the polygon, which the text does not give
 :reading: points_move_evenly_with_beta | the same for the corrected functions
 :figure: curves_for_several_beta
 :::
@@ -251,11 +251,12 @@ CLAIM(printed_points_move_evenly_with_beta)
 :zh: 形状可调性
 :printed: with the vertices of the control polygon unchanged, different curves that approximate the polygon can be produced by adjusting the parameter
 :holds-by: points_move_evenly_with_beta printed_points_move_evenly_with_beta polygons_that_do_not_move
-:hypothesis: edges_that_do_not_move | not $0,0,0,0,5v,v,v,v$ with the printed functions, and not $P,P,P,P,Q,Q,Q,Q$ with the
-  corrected ones: these polygons $P_0,\dots,P_7$, any $v$, $P$ and $Q$, have one curve for all $\beta$
+:hypothesis: edges_that_do_not_move | the polygon is not $0,0,0,0,5v,v,v,v$ (printed functions) or $P,P,P,P,Q,Q,Q,Q$ (corrected
+  ones): these polygons $P_0,\dots,P_7$, any $v$, $P$ and $Q$, have one curve for all $\beta$
 :figure: edges_that_do_not_move
 
-Different as parametrized curves; their sets of points are not compared.
+Different as parametrized curves.  As sets of points they may be one: with the corrected functions and $-\frac{21}4\le\beta\le1$ the curve of
+points of a segment from $P_0$ to $P_7$ is this segment, which is the hull.  Whether the curves approximate the polygon, is asked by property 3.5.
 :::
 */
 
@@ -406,7 +407,7 @@ CLAIM(end_points_and_end_derivatives)
 :then: row $k$ of `shape_derivatives` is the $k$-th derivative of $\sum P_iB_{i,n}$ at $t$, $0\le k\le n+2$
 :method: In the field the formula of the curve is differentiated with respect to $t$; in the other number types the formula
   is differentiated as a product of powers by Leibniz's rule.
-:degrees: 2..6 sampled 10
+:degrees: 2..7 sampled 10
 :defines: shape_derivatives
 :control: $-\beta$ in the place of $\beta$
 :::
@@ -458,11 +459,12 @@ CLAIM(derivatives_of_the_curve)
 :title: The curve interpolates the end points and touches the end edges
 :zh: 端点插值与端边相切
 :printed: the curve interpolates the first and last control point and is tangent to the first and last edge
-:holds-by: end_points_and_end_derivatives functions_vanish_to_their_orders_at_the_ends
-:confirmed-by: second_derivative_takes_over_at_minus_seven
+:holds-by: end_points_and_end_derivatives
+:confirmed-by: functions_vanish_to_their_orders_at_the_ends second_derivative_takes_over_at_minus_seven
 :hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$
 :hypothesis: double_end_point_has_no_end_edge | the end edges are not 0
 :figure: end_edges
+:degree: 7
 :::
 */
 
@@ -474,29 +476,34 @@ CLAIM(derivatives_of_the_curve)
 :kind: counterexample
 :data: β = -7; P = (0,0) (1,0) (2,2) (3,3) (4,3) (5,2) (6,0) (7,0)
 :instead: β = -6
-:result: q'(0) = (0,0); q''(0) = (42,-28); determinant of the edge and the tangent = -28
-:given: the left end of the printed range, and a polygon
-:then: the first derivative at 0 vanishes, the second gives the tangent, and the determinant of $P_1-P_0$ and this tangent
-  is not 0
-:method: The first derivative at 0 that is not the zero vector, computed exactly; its determinant with the edge is asked to
-  vanish.
+:result: q'(0) = (0,0) (0,0); q''(0) = (42,-28) (42,-28); determinant of the edge and the tangent = -28 -28
+:given: the left end of the printed range, and a polygon; printed and corrected functions
+:then: for both the first derivative at 0 vanishes, the second gives the tangent, and the determinant of $P_1-P_0$ and this
+  tangent is not 0
+:method: The first derivative at 0 that is not the zero vector, computed exactly, and its determinant with the edge.
 :control: a larger $\beta$
 :::
 */
 CLAIM(edge_is_not_tangent_at_minus_seven)
 {
-    num beta = given(T, "β"), P[8 * dim], D[3 * dim], edge[dim];
+    num beta = given(T, "β"), P[8 * dim], Q[9 * dim], D[3 * dim], edge[dim], first[2 * dim], second[2 * dim],
+        determinant[2];
     given_points(T, "P", 8, dim, P);
-    G(shape_derivatives)(7, dim, P, beta, from_int(0), 2, D);
     for (int c = 0; c < dim; c++)
         edge[c] = sub(P[dim + c], P[c]);
-    int order = is_zero_q(D[dim]) && is_zero_q(D[dim + 1]) ? 2 : 1;
-    num determinant = G(cross2)(edge, D + order * dim);
-    found_points(T, "q'(0)", 1, dim, D + dim);
-    found_points(T, "q''(0)", 1, dim, D + 2 * dim);
-    found(T, "determinant of the edge and the tangent", determinant);
-    about(T, "the determinant of the first edge and the tangent");
-    vanishes(T, determinant);
+    for (int corrected = 0; corrected <= 1; corrected++) {
+        G(bezier_points_of)(!corrected, 7, dim, P, beta, Q);
+        G(bezier_derivatives)(8, dim, Q, from_int(0), 2, D);
+        for (int c = 0; c < dim; c++)
+            first[corrected * dim + c] = D[dim + c], second[corrected * dim + c] = D[2 * dim + c];
+        int order = is_zero_q(D[dim]) && is_zero_q(D[dim + 1]) ? 2 : 1;
+        determinant[corrected] = G(cross2)(edge, D + order * dim);
+    }
+    found_points(T, "q'(0)", 2, dim, first);
+    found_points(T, "q''(0)", 2, dim, second);
+    found_points(T, "determinant of the edge and the tangent", 2, 1, determinant);
+    about(T, "one of the two determinants of the first edge and the tangent is 0");
+    refute(T, !is_zero_q(determinant[0]) && !is_zero_q(determinant[1]));
 }
 #endif
 
@@ -677,7 +684,7 @@ CLAIM(reversed_polygon_reverses_the_curve)
 :title: The chain that proves the symmetry
 :zh: 式 (12)
 :printed: B_1(1-t)=\sum_{i=0}^7P_{7-i}B_{i,7}(1-t)=\sum_{j=0}^7P_jB_{j,7}(t)=B_1(t)
-:refuted-by: curve_is_not_its_own_reverse
+:refuted-by: curve_is_not_its_own_reverse printed_curve_is_not_reversed
 :class: misprint
 :corrected: $\tilde B(1-t)=\sum P_{7-i}B_{i,7}(1-t)=\sum P_jB_{j,7}(t)=q(t)$, where $\tilde B$ on the left is the curve of the
   reversed polygon, $q$ that of the polygon, and the functions are the corrected ones
@@ -685,7 +692,8 @@ CLAIM(reversed_polygon_reverses_the_curve)
 :figure: two_directions_two_curves
 :degree: 7
 
-As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.
+As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.  With the printed functions the
+equation in the middle fails, too: the left sum is the point of the reversed polygon at $1-t$, the right one that at $t$.
 :::
 */
 

@@ -8,8 +8,8 @@ section before explains.  Here the source's own argument is followed line by lin
 It looks at the two ends.  There $f$ has the values $k_0$ and $k_7$, and when both are known and not 0, they tell whether
 the number of roots, each counted with its multiplicity, is even or odd.  This is all that they tell.  Parity excludes one
 root more than there are changes of sign; it can never exclude two more.  And when $k_7=0$, it says nothing.  Both gaps can
-be entered at $\beta=-7$: there $B_2$ is negative near $t=0$, and a large $k_2$ makes $f$ negative although its coefficients
-are positive.  That the argument nowhere uses the range of $\beta$ could have been a warning.
+be entered at $\beta=-7$: there $B_2$ is negative near $t=0$ and $B_5$ near $t=1$, and a large $k_2$ makes $f$ negative although its
+coefficients are positive.  That the argument nowhere uses the range of $\beta$ could have been a warning.
 */
 #include "exact/record/roots.h"
 
@@ -87,8 +87,8 @@ CLAIM(roots_inside_tell_the_signs_at_the_ends)
 
 #if RATIONAL
 /*
-The first claim is an identity, with every $k_i$ a variable.  The second counts the roots of instances, in which the signs
-alternate as they do in the case that the source treats.
+In the two claims above everything is a variable.  The next counts the roots of instances, in which the signs alternate as
+they do in the case that the source treats first.
 
 :::{claim} parity_of_the_roots
 :title: The number of roots is even or odd as the ends have equal or different signs
@@ -122,7 +122,7 @@ CLAIM(parity_of_the_roots)
 :printed: These functions obey the rule of signs of Descartes on $(0,1)$ altogether: Zeros$(0,1)\{\sum_{i=0}^7k_iB_{i,7}(t)\}\le SA(k_0,\dots,k_7)$ for the constants (14)
 :refuted-by: positive_coefficients_with_two_roots a_combination_vanishes
 :class: false
-:corrected: for printed and for corrected functions: true exactly for $-\frac{21}4<\beta\le1$ and $k\ne0$; at
+:corrected: for printed and for corrected functions: true for all $k\ne0$ exactly if $-\frac{21}4<\beta\le1$; at
   $\beta=-\frac{21}4$ true unless $f$ is the zero function, which it is for some $k\ne0$
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero
   averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
@@ -132,7 +132,8 @@ CLAIM(parity_of_the_roots)
 :figure: crossings_off_the_polygon
 
 With two neighbours $k_{i-1},k_i$ each Bernstein coefficient of $\sum k_iB_i$ is a multiple of an average of the two, not a negative one, where the entries of the
-matrix are not negative: so the coefficients have no more changes of sign than $k$, and the roots in $(0,1)$ are no more than these.
+matrix are not negative: so the coefficients have no more changes of sign than $k$, and the roots in $(0,1)$ are no more than these.  With
+$k=0$ every $t$ is a root.
 :::
 */
 
@@ -284,6 +285,7 @@ CLAIM(seven_changes_end_below_zero)
 :printed: for $k_0>0$ and $SA=7$ one has by a lemma $k_7<0$; $f$ is continuous on $[0,1]$, $f(0)=k_0$, $f(1)=k_7$; with eight roots in $(0,1)$ it would be
   $f(1)=k_7>0$, a contradiction, so that (15) holds
 :holds-by: combination_begins_and_ends_with_its_coefficients roots_inside_tell_the_signs_at_the_ends seven_changes_end_below_zero
+:confirmed-by: parity_of_the_roots
 :figure: roots_at_minus_seven
 
 The lemma that is cited for $k_7<0$ is not in the text.
@@ -296,13 +298,14 @@ The lemma that is cited for $k_7<0$ is not in the text.
 :refuted-by: one_change_of_sign_and_three_roots one_change_of_sign_and_two_roots
 :class: invalid-proof
 :corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$;
-  when $k_7=0$ it excludes nothing; for $-\frac{21}4<\beta\le1$ the conclusion is true by total positivity
+  when $k_7=0$ it excludes nothing; for $k_0>0$ and $-\frac{21}4\le\beta\le1$ the conclusion is true by total positivity
 :corrected-by: combination_begins_and_ends_with_its_coefficients roots_inside_tell_the_signs_at_the_ends seven_changes_end_below_zero
   totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: roots_at_minus_seven
 
-With $k_0,k_7\ne0$ the number of roots, counted with multiplicity, is even or odd as $SA$ is, so that it is not $SA+1$.
+With $k_0,k_7\ne0$ the number of roots, counted with multiplicity, is even or odd as $SA$ is, so that it is not $SA+1$.  Since $f(0)=k_0>0$,
+$f$ is not the zero function.
 :::
 
 The two counterexamples enter the two gaps.  In the first the signs at the ends differ, and an odd number of roots is

@@ -329,8 +329,8 @@ Both examples have four points with whole coordinates.  The first refutes the tw
 :result: t of a farther point = 5/16; control points farther than R = 0 1
 :given: a polygon of four points, two values of $\beta$, and the squares of three distances
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is
-  farther than even the larger of the two distances; for the first $\beta$ every control point is nearer to the curve than
-  $R$, for the second one is farther
+  farther than even the larger of the two distances; for the first $\beta$ no control point is farther from the curve than
+  $R$, for the second one is
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by the signs of three
   polynomials (the foot on the edge, the distance to its line).  Farther: one rational $t$ and all edges; for a control
   point the sign of $|q(t)-P_i|^2-R^2$ on $[0,1]$.
@@ -408,7 +408,7 @@ pairs of edges, whose factors are powers of $s$ and $t$ times numbers.
   $K_{ab}=\binom{n-1}a\binom{n-1}b\frac{b-a}{(n-1)^2}\bigl(2n(n-1)+\beta(n-1-2a)(n-1-2b)\bigr)$
 :method: The derivative of the curve by the kernel, $\partial_\beta q=q_{\beta+1}-q_\beta$, since the curve is linear in $\beta$; everything a
   variable.
-:degrees: 2..4 sampled 9
+:degrees: 2..7 sampled 9
 :control: $\beta$ left out of $K_{ab}$
 :::
 */

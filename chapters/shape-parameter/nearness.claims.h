@@ -2,8 +2,8 @@
 # Closer to the polygon? (逼近性)
 
 A curve may be near its polygon in several senses: the largest distance of a point of the curve from the polygon; the
-largest distance of a control point from the curve; the distance of the point of one $t$.  In the first two senses a larger
-$\beta$ can make the curve worse, in the true range of $\beta$ and even for a convex polygon.
+largest distance of a control point from the curve; the distance of the point of one $t$.  In all three senses a larger
+$\beta$ can make the curve worse, in the true range of $\beta$; in the first and the third even for a convex polygon.
 */
 #include "exact/record/hull.h"
 
@@ -24,14 +24,15 @@ $\beta$ can make the curve worse, in the true range of $\beta$ and even for a co
   triangle $b_0b_1b_2$, its weight at $b_1$ does not fall and those at $b_0$ and $b_2$ do not grow; if the polygon is convex and turns by
   at most two right angles, each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1
 :corrected-by: curve_is_a_blend_of_three_points corrected_functions_sum_to_one blend_is_convex_from_minus_two_to_one
-  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
-:confirmed-by: growing_beta_pushes_by_the_turns
+  growing_beta_pushes_by_the_turns turns_push_outward_in_the_range
+:confirmed-by: turns_push_by_these_numbers_in_every_degree product_of_two_sums_goes_by_pairs
 :figure: closer_or_not
 :striking: 11
 :degree: 7
 
 The weights are the functions of the family for $n=2$, whose sum is 1.  Outward is, for the curve $q$, to the right of $q'$, or along it, where the polygon turns to the left:
-$q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$, $e_k=P_{k+1}-P_k$, with the factors of the claims, none of them positive in the range.
+$q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$, $e_k=P_{k+1}-P_k$, with the factors of the claims, none of them positive in the range;
+and where a convex polygon turns to the left by at most two right angles, the angle from $e_a$ to $e_b$ is between 0 and $\pi$, and $e_a\times e_b\ge0$.
 :::
 */
 
@@ -51,7 +52,7 @@ $t$.  Where one edge does not serve for the whole piece, the piece is halved.  "
   control points farther than R, printed = 0 1
 :given: a polygon, two values of $\beta$, and the squares of two distances; printed and corrected functions
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is
-  farther; for the first $\beta$ every control point is nearer to the curve than $R$, for the second not every one
+  farther; for the first $\beta$ no control point is farther from the curve than $R$, for the second one is
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by the signs of three
   polynomials (the foot on the edge, the distance to its line).  Farther: one rational $t$ and all seven edges; for a control
   point the sign of $|q(t)-P_i|^2-R^2$ on $[0,1]$.
@@ -78,7 +79,7 @@ CLAIM(larger_beta_takes_the_curve_away_from_its_polygon)
 /*
 One may suspect the polygon above, which turns to and fro.  But a convex one does as well, and the next example takes
 $\beta$ from one end of the true range to the other.  For the same polygon the curve of $\beta=1$ is nevertheless nearer
-than the Bézier curve of $\beta=0$: on the way through the range the distance grows at first and falls later.
+than the Bézier curve of $\beta=0$: the largest distance is greater there than at both ends of the range.
 
 :::{claim} larger_beta_is_worse_for_a_convex_polygon
 :title: From the left end of the range to its right end a curve goes away from its convex polygon
@@ -110,7 +111,7 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon) { G(refute_closer_to_a_convex_p
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second, the Bézier curve,
   some point is farther
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
-  rational $t$ and all edges.
+  rational $t$ and all edges.  `hull.h` decides that the polygon is convex.
 :degrees: 7..7
 :scope: the stated polygon
 :control: the two values of $\beta$ exchanged
@@ -152,7 +153,7 @@ another one it is lost.
   distance; printed and corrected functions
 :then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
-  rational $t$ and all edges.
+  rational $t$ and all edges.  `hull.h` decides that the polygon is convex.
 :control: the two values of $\beta$ exchanged
 :::
 */
