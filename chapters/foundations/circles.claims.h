@@ -477,8 +477,8 @@ CLAIM(small_steps_multiply_the_radius)
 
 /*
 :::{claim} radius_of_small_steps_exceeds_every_bound
-:title: The points never come back, and leave every circle
-:zh: 点列不返回且无界
+:title: The number that multiplies the square of the radius in n steps grows with n, and exceeds every bound
+:zh: n 步后半径平方的倍数递增且无界
 :given: $\varepsilon\ne0$, any $n$, and $E_n=(1+\varepsilon^2)^n-1-n\varepsilon^2$
 :where: $\varepsilon\ne0$
 :then: $E_{n+1}=(1+\varepsilon^2)E_n+n\varepsilon^4$; so with $E_0=0$ no $E_n$ is negative, and $(1+\varepsilon^2)^n\ge1+n\varepsilon^2$, by which $n$

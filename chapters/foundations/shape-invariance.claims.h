@@ -807,7 +807,8 @@ CLAIM(doubled_functions_keep_the_shape)
 :instead: k = 1
 :then: $P^*(t)-P(t)$ is the same for all three $t$, so the segments are congruent; $\phi_0+\phi_1$ is not 1
 :result: P*(t) - P(t) = (2,2) (2,2) (2,2); φ_0 + φ_1 = 2 2 2
-:method: The points, exactly; two positions of a segment are congruent when they differ by a translation.
+:method: The points, exactly; the difference is linear in $t$, and so the same for every $t$; two positions of a segment are congruent when they differ by a
+  translation.
 :control: $\phi_0=1-t$, $\phi_1=t$
 :::
 */
