@@ -248,12 +248,13 @@ CLAIM(rational_step_has_no_angle)
 :title: The simplified matrix is the rotation to first order in the angle
 :zh: 一阶近似
 :types: field
-:given: the rotation by $\Delta\theta=2\arctan a$, so that $\frac{d}{da}\Delta\theta=\frac2{1+a^2}$
-:then: at $a=0$ the rotation matrix is 1 and its derivative with respect to $\Delta\theta$ is that of the printed step,
-  $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
-:method: The matrix as a rational function of $a$, differentiated in the field; chain rule.
+:given: the matrix of (1-3-2), any point $(x,y)$ and any $e$; and the rotation by $\Delta\theta=2\arctan a$, so that
+  $\frac{d}{da}\Delta\theta=\frac2{1+a^2}$
+:then: with 1 and $e$ in the place of cosine and sine the row $(x,y)$ times the matrix is $(x-ey,\,ex+y)$, the printed step with $\Delta\theta=e$; at $a=0$ the
+  rotation matrix is 1 and its derivative with respect to $\Delta\theta$ is that of the step, $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
+:method: The product with everything a variable; the matrix as a rational function of $a$, differentiated in the field; chain rule.
 :scope: Δθ → 0
-:over: a: -
+:over: x y e a: -
 :control: the derivative with respect to $a$ taken for that with respect to $\Delta\theta$
 :::
 */
@@ -261,6 +262,13 @@ CLAIM(small_step_is_the_rotation_to_first_order)
 {
     num a = variable_f("a"), zero = from_int(0), one = from_int(1), M[4], S[4];
     num speed = fault(T, div(from_int(2), add(one, mul(a, a))), one);
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, e = unknown(T, "e", 0), next[2];
+    G(rotation)((struct G(turn)){one, e}, M);
+    G(row_times)(P, M, next);
+    about(T, "the step with 1 and e for cosine and sine");
+    same(T, next[0], sub(P[0], mul(e, P[1])));
+    same(T, next[1], add(mul(e, P[0]), P[1]));
+    about(T, "the matrix at 0, or its derivative");
     G(rotation)(G(turn_by)(a), M);
     G(small_step)(one, S);
     for (int k = 0; k < 4; k++) {
@@ -323,8 +331,8 @@ treated alike in its four quadrants.
 :holds-by: exact_steps_need_m_more_bits_each
 :meant: the words before it, by shifts (通过移位运算) | High speed is: with shifts in the place of products.  The circles or
   arcs are the points of (1-3-4).
-:hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out: to be exact, $n$ steps from
-  $(1,0)$ need $nm$ binary places.
+:hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out: to be exact, $n$ steps need $nm$ binary places more than
+  the first point.
 :confirmed-by: short_coordinates_never_move
 :figure: circles_in_integers
 :::
@@ -333,24 +341,24 @@ treated alike in its four quadrants.
 #if RATIONAL
 /*
 :::{claim} exact_steps_need_m_more_bits_each
-:title: After n exact steps a coordinate has n m binary places
+:title: After n exact steps a coordinate has n m binary places more
 :zh: 精确计算每步增加 m 位
 :kind: decision
-:given: $P_0$, $\varepsilon=2^{-m}$, $m\ge1$, any number $n$ of steps; $X=2^{nm}x_n$, $Y=2^{nm}y_n$
-:data: P_0 = (1,0)
+:given: $P_0\ne(0,0)$ of binary coordinates, $2^b$ the power with which $2^bP_0$ has whole coordinates of which one is odd; $\varepsilon=2^{-m}$, $m\ge1$, any
+  number $n$ of steps; $X=2^{nm+b}x_n$, $Y=2^{nm+b}y_n$
+:harmless: $P_0\ne(0,0)$ | the scope says so
 :then: $X$ and $Y$ are integers, and one of them is odd: shifts suffice, and no shorter words do
 :method: The next two numbers are $2^mX-Y$ and $X+2^mY$; since $2^m$ is even, they have the remainders of $Y$ and $X$ modulo
-  2.  All remainders of $X$ and $Y$ are tried, then it is induction.
-:scope: every m from 1 on, every number of steps from (1, 0)
+  2.  All remainders of $X$ and $Y$ that are not both even are tried, then it is induction.
+:scope: every m from 1 on, every number of steps from any point of binary coordinates but (0, 0)
 :control: $2^m$ odd
 :::
 */
 CLAIM(exact_steps_need_m_more_bits_each)
 {
-    num first[2], half = from_ratio(1, 2), power = from_int(fault(T, 2, 1)); /* 2^m, an even number */
-    given_points(T, "P_0", 1, 2, first);
-    agree(T, is_whole_q(first[0]) && is_whole_q(first[1]) && !is_whole_q(mul(half, first[0])));
-    for (int pair = 1; pair <= 3; pair++) { /* the remainders of X and Y, not both even */
+    num half = from_ratio(1, 2), power = from_int(fault(T, 2, 1)); /* 2^m, an even number */
+    /* the remainders of X and Y, not both even */
+    for (int pair = 1; pair <= 3; pair++) {
         num X = from_int(pair & 1), Y = from_int(pair >> 1);
         num x = sub(mul(power, X), Y), y = add(X, mul(power, Y));
         agree(T, !is_whole_q(mul(half, x)) || !is_whole_q(mul(half, y)));
@@ -442,7 +450,7 @@ a geometric progression.
 :needs: centre_is_never_left | the words above (1-3-1), a point of the circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
 
-It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^{\,n}\,|P_0|$, exactly.  With $\varepsilon=\frac1{16}$ a turn takes about a hundred steps, and the
+It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^n\,|P_0|$, exactly.  With $\varepsilon=\frac1{16}$ a turn takes about a hundred steps, and the
 radius at its end is between two bounds: `turn_of_small_steps_gains_a_fifth`.
 :::
 
@@ -469,8 +477,8 @@ CLAIM(small_steps_multiply_the_radius)
 
 /*
 :::{claim} radius_of_small_steps_exceeds_every_bound
-:title: The points never come back, and leave every circle
-:zh: 点列不返回且无界
+:title: The number that multiplies the square of the radius in n steps grows with n, and exceeds every bound
+:zh: n 步后半径平方的倍数递增且无界
 :given: $\varepsilon\ne0$, any $n$, and $E_n=(1+\varepsilon^2)^n-1-n\varepsilon^2$
 :where: $\varepsilon\ne0$
 :then: $E_{n+1}=(1+\varepsilon^2)E_n+n\varepsilon^4$; so with $E_0=0$ no $E_n$ is negative, and $(1+\varepsilon^2)^n\ge1+n\varepsilon^2$, by which $n$
@@ -619,13 +627,15 @@ with equal factors make a logarithmic spiral (对数螺线).
 :title: The points of the simplified circle are on a spiral
 :zh: 所得曲线为螺线
 :printed: The curve obtained is really not an exact arc of a circle, but a spiral.
-:holds-by: small_steps_are_powers_of_a_complex_number small_steps_multiply_the_radius radius_of_small_steps_exceeds_every_bound
+:holds-by: small_steps_are_powers_of_a_complex_number small_steps_multiply_the_radius four_small_steps_are_on_no_circle
+:confirmed-by: radius_of_small_steps_exceeds_every_bound
 :needs: small_step_of_zero_stays | the line above (1-3-4), $\Delta\theta=\varepsilon=2^{-m}$ | $\varepsilon\ne0$
 :needs: centre_is_never_left | the words above (1-3-1), a point of the circle of radius $r$ | $P_0\ne(0,0)$
 :figure: three_generators
 
 It is the logarithmic spiral: every step adds the angle $\arctan\varepsilon$, and multiplies the radius by
-$\sqrt{1+\varepsilon^2}$.  All points are on no circle, about whatever centre, because their distances from the origin exceed every bound.
+$\sqrt{1+\varepsilon^2}$.  No four successive points are on a circle, about whatever centre, so that not even a short piece is an
+arc of one.
 :::
 
 :::{claim} small_steps_are_powers_of_a_complex_number
@@ -652,6 +662,41 @@ CLAIM(small_steps_are_powers_of_a_complex_number)
     /* x_{n+1} + i y_{n+1} = (1 + iε) z (x_0 + i y_0), real and imaginary part */
     same(T, Q[0], sub(mul(next[0], P[0]), mul(next[1], P[1])));
     same(T, Q[1], add(mul(next[0], P[1]), mul(next[1], P[0])));
+}
+
+/*
+:::{claim} four_small_steps_are_on_no_circle
+:title: No four successive points are on a circle or a line
+:zh: 相继四点不共圆
+:given: any point $P_n=(x,y)$ but the origin, any $\varepsilon\ne0$
+:where: $\varepsilon\ne0$; $P_0\ne(0,0)$
+:then: the determinant of the four rows $(x_k^2+y_k^2,\ x_k,\ y_k,\ 1)$, $k=n,\dots,n+3$, is $-\varepsilon^7(1+\varepsilon^2)(x^2+y^2)^2$, which is not 0
+:method: Four points of a circle or a line $\alpha(x^2+y^2)+\beta x+\gamma y+\delta=0$ have the determinant 0.  An identity in the point and $\varepsilon$, from
+  the rows by subtraction of the first one; $P_n$ is not the origin when $P_0$ is not, by `small_steps_multiply_the_radius`.
+:scope: every number of steps
+:over: x y: point; e: ε
+:control: the matrix of a rotation
+:::
+*/
+CLAIM(four_small_steps_are_on_no_circle)
+{
+    enum { space = 3 };
+    num P[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, epsilon = unknown(T, "e", 0), one = from_int(1), M[4];
+    num first[space] = {G(norm_squared)(2, P), P[0], P[1]}, rows[space * space];
+    if (T->faulty)
+        G(rotation)(G(turn_by)(epsilon), M);
+    else
+        G(small_step)(epsilon, M);
+    for (int k = 0; k < space; k++) {
+        G(steps)(1, M, P);
+        num row[space] = {G(norm_squared)(2, P), P[0], P[1]};
+        for (int j = 0; j < space; j++)
+            rows[k * space + j] = sub(row[j], first[j]);
+    }
+    num square = mul(epsilon, epsilon),
+        expected = mul(G(power)(epsilon, 7), mul(add(one, square), mul(first[0], first[0])));
+    /* the column of ones, once the first row is subtracted, leaves the 3 × 3 determinant of the others, with the sign - */
+    same(T, G(det3)(rows, rows + space, rows + 2 * space), expected);
 }
 
 #include "chapters/judge/claims_off.h"

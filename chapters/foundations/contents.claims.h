@@ -219,7 +219,7 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 2-1 | display in space | | all of it |
 | 2-2 | affine maps | `bezier_curve_moves_with_its_points` `total_degree_survives_affine_maps` | maps of space as matrices; the text |
 | 2-3 | projective maps | `projective_image_is_not_the_curve_of_the_images` `projective_change_of_unit_interval_is_fractional` | maps of the plane; the text |
-| 2-4 | rotation about an axis | `rotation_matrix_adds_the_angle` `rotation_about_a_point_moves_the_example` | rotations of space; the text |
+| 2-4 | rotation about an axis | `rotation_matrix_adds_the_angle` `rotations_keep_products` `rotation_about_a_point_moves_the_example` | axes beside the origin; the text |
 | 2-5 | viewing transformation | | all of it |
 | 2-6 | perspective | | all of it |
 | 2-7 | theory of perspective | | all of it |

@@ -22,7 +22,7 @@ may meet none of them.
 
 :::{claim} one_cubic_passes_through_four_data
 :title: Through n+1 data at the parameters 0, 1, ..., n passes one curve of degree n or less
-:zh: n+1 个型值点唯一确定 n 次插值曲线
+:zh: n+1 个型值点唯一确定不超过 n 次的插值曲线
 :given: data $p_0,\dots,p_n$, any numbers
 :then: $P(t)=\sum_k\binom tk\Delta^kp_0$ has $P(i)=p_i$; and the data of any curve of degree $n$ give that curve back, so there is no other
 :method: The differences of the data by $n$ passes of subtraction, $\binom tk=\frac{t(t-1)\cdots(t-k+1)}{k!}$; at the $n+1$ places, and at a
@@ -129,7 +129,7 @@ The plainest description needs neither: a curve can be kept as many points, join
   $(N+1)h$ by $g+d$; so of $N$ pieces over $[0,1]$ one is not shorter than $\frac1N$, and the error is at least $\frac1{4N^2}$, and no more when all have one
   length
 :method: Identities, everything a variable; the pieces by induction, $h$ being the length of the longest, so that no $d$ is negative.
-:over: a; h; s; N g d: -
+:over: a; h; s; N; g d: -
 :control: the chord from $a$ to $a+2h$
 :::
 */

@@ -1,14 +1,67 @@
 /*
 # What is done to a curve and keeps it (变换、升阶与分割)
 
-Two sentences in praise of the parametric form are about what can be done with a curve: it can be mapped, and it can be given
-more freedom.
+Sentences in praise of the parametric form are about what can be done with a curve: its coordinates can be changed, it can be mapped, and it can be
+given more freedom.
 */
 #include "chapters/foundations/definition.h"
 
 #include "chapters/judge/claims_on.h"
 
-enum { dim = 2 };
+enum { dim = 2, space = 3 };
+
+/*
+## What is said of parametric curves in general
+
+Section 1-4 of the source praises the parametric form.  It means a vector function $P(t)=[x(t)\;y(t)\;z(t)]$, and maps
+its values; section 1-2 has moved control points, which is another thing.
+
+:::{statement} hu-1987:1-4-advantage-invariance
+:title: Parametric curves are geometrically invariant
+:zh: 参数曲线的几何不变性
+:printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates, and geometric properties
+  of a figure can be studied without relying on a coordinate system.
+:holds-by: image_of_a_power_curve_is_one matrices_pass_to_the_points translation_adds_the_sum_of_the_functions rotations_keep_products
+:hypothesis: image_keeps_no_chord | functions that are the factors of points have the sum 1: the relation of Cauchy.
+  The curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the coordinates.
+:figure: two_cubes_and_their_image
+
+As a vector function a polynomial curve is mapped to $P(t)\,T+m$, which is one of the same kind, whatever its coefficients are.  With a rotation $T$ its
+derivatives are $P'(t)\,T$, $P''(t)\,T$, $P'''(t)\,T$, so that what their products say does not depend on the coordinates: speed, curvature and torsion.
+:::
+
+:::{claim} image_of_a_power_curve_is_one
+:title: The image of a polynomial curve is the polynomial curve of the mapped coefficients
+:zh: 多项式曲线的仿射象
+:given: a sum $S=\sum c_kt^k$ of some terms, which may be any point of space, with one more coefficient $c$ and power $p=t^k$; any
+  $3\times3$ matrix $T$ and any $m$
+:then: $(S+cp)\,T+m=(ST+m)+(cT)\,p$; so $P(t)\,T+m=\sum_kd_kt^k$ with $d_0=c_0T+m$ and $d_k=c_kT$ for $k>0$
+:method: Both sides with everything a variable; by induction for any number of terms.
+:degrees: all
+:scope: polynomial curves
+:over: s# x# y# z#: coefficients; p: t; t#: matrices; m#: translations
+:control: $m$ added to the new coefficient as well
+:::
+*/
+CLAIM(image_of_a_power_curve_is_one)
+{
+    num S[space], M[space * space], power = unknown(T, "p", 0);
+    num c[space] = {unknown(T, "x", 0), unknown(T, "y", 0), unknown(T, "z", 0)};
+    for (int k = 0; k < space * space; k++)
+        M[k] = unknown(T, "t", k);
+    for (int k = 0; k < space; k++)
+        S[k] = unknown(T, "s", k);
+    for (int j = 0; j < space; j++) {
+        num m = unknown(T, "m", j), image = m, before = m, d = fault(T, from_int(0), m);
+        for (int k = 0; k < space; k++) {
+            num entry = M[k * space + j];
+            image = add(image, mul(add(S[k], mul(c[k], power)), entry));
+            before = add(before, mul(S[k], entry));
+            d = add(d, mul(c[k], entry));
+        }
+        same(T, image, add(before, mul(d, power))); /* (S + c p) T + m = (S T + m) + (c T) p */
+    }
+}
 
 /*
 ## Maps (仿射变换、射影变换)

@@ -86,24 +86,26 @@ printed rows are its four terms.
 :title: The coefficients of a piece
 :zh: 截取曲线段的系数
 :printed: P(t^*)=[t^{*3}\;t^{*2}\;t^*\;1]\begin{bmatrix}(t_1-t_0)^3A\\3(t_1-t_0)^2t_0A+(t_1-t_0)^2B\\3(t_1-t_0)t_0^2A+2(t_1-t_0)t_0B+(t_1-t_0)C\\t_0^3A+t_0^2B+t_0C+D\end{bmatrix}
-:holds-by: coefficients_of_a_piece_are_as_printed pieces_in_new_powers
+:holds-by: coefficients_of_a_piece_are_as_printed
+:confirmed-by: pieces_in_new_powers
 :figure: piece_of_a_cubic
 :::
 
 :::{claim} coefficients_of_a_piece_are_as_printed
-:title: The four rows for a cubic
+:title: The four rows are the coefficients of the piece of a cubic
 :zh: 三次曲线段的四个系数
-:given: any $A,B,C,D$ of space, any $t_0$, $t_1$
-:then: the coefficients by the kernel are the four printed rows
-:method: Each row, everything a variable.
+:given: any $A,B,C,D$ of space, any $t_0$, $t_1$ and $u$
+:then: $u^3$, $u^2$, $u$, $1$ times the four printed rows have the sum $P(t_0+(t_1-t_0)u)$; and the rows are the coefficients by the kernel
+:method: The sum of the rows against $P$, and each row, everything a variable.
 :degrees: 3..3
-:over: x# y# z#: coefficients; r s: parameter value
+:over: x# y# z#: coefficients; r s u: parameter value
 :control: the factor 2 in the place of the 3 of the second row
 :::
 */
 CLAIM(coefficients_of_a_piece_are_as_printed)
 {
     num c[4 * space], piece[4 * space], t0 = parameter(T, "r"), t1 = parameter(T, "s"), h = sub(t1, t0);
+    num u = parameter(T, "u"), t = add(t0, mul(h, u));
     G(free_points)(T, 3, space, c);
     G(power_on_interval)(3, space, c, t0, t1, piece);
     num three = from_int(3), h2 = mul(h, h), h3 = mul(h2, h), t2 = mul(t0, t0), t3 = mul(t2, t0);
@@ -112,6 +114,9 @@ CLAIM(coefficients_of_a_piece_are_as_printed)
         num linear = add(add(mul(mul(three, mul(h, t2)), A), mul(mul(from_int(2), mul(h, t0)), B)), mul(h, C));
         num rows[4] = {add(add(mul(t3, A), mul(t2, B)), add(mul(t0, C), D)), linear,
                        add(mul(mul(fault(T, three, from_int(2)), mul(h2, t0)), A), mul(h2, B)), mul(h3, A)};
+        about(T, "P(t) and the sum of the printed rows");
+        same(T, G(power_sum)(3, 1, rows, 0, u), G(power_sum)(3, space, c, j, t));
+        about(T, "a row and the coefficient by the kernel");
         for (int k = 0; k <= 3; k++)
             same(T, piece[k * space + j], rows[k]);
     }
@@ -137,6 +142,7 @@ their lengths do not.
 :then: the $k$-th derivative of the piece at $u$ is $(t_1-t_0)^kP^{(k)}(t_0+(t_1-t_0)u)$; the square of the length of the first one is
   $(t_1-t_0)^2|P'|^2$
 :method: Both derivatives by the definition, everything a variable.
+:degrees: 3..3
 :over: x# y# z#: coefficients; r s u: parameter value
 :control: the first power for every $k$
 :::
@@ -167,8 +173,10 @@ CLAIM(derivatives_of_a_piece)
 :zh: 参数区间长度的范围
 :printed: 0\le(t_1-t_0)\le1
 :holds-by: length_of_a_piece_is_at_most_one
-:needs: backward_piece_has_negative_length | the words above (1-5-4), a piece of the curve with $t\in[0,1]$ | $0\le t_0\le t_1\le1$; the piece is taken
-  forward.
+:needs: backward_piece_has_negative_length | the words above (1-5-4), the piece from $t_0$ to $t_1$ | $0\le t_0\le t_1\le1$; without $t_0\le t_1$ the piece is
+  taken backward.
+:needs: piece_beyond_the_curve_is_longer | the words above (1-5-4), a curve with $t\in[0,1]$ | $0\le t_0\le t_1\le1$; without $t_1\le1$ the piece is no piece of the
+  curve.
 :figure: piece_of_a_cubic
 :::
 
@@ -203,7 +211,7 @@ CLAIM(length_of_a_piece_is_at_most_one)
 :given: two parameters of $[0,1]$, the later one first
 :data: t_0 = 3/4; t_1 = 1/4
 :instead: t_0 = 1/4; t_1 = 3/4
-:then: $t_1-t_0$ is negative, so that it is no quotient of lengths
+:then: $t_1-t_0$ is negative, so that it is neither a length nor a quotient of lengths
 :result: t_1 - t_0 = -1/2
 :method: The number, exactly.
 :control: $t_0$ and $t_1$ exchanged
@@ -216,11 +224,33 @@ CLAIM(backward_piece_has_negative_length)
     about(T, "t_1 - t_0, which should not be negative");
     nonnegative(T, length);
 }
+
+/*
+:::{claim} piece_beyond_the_curve_is_longer
+:title: What goes on beyond the end of the curve may be longer than 1
+:zh: 超出参数区间的一段
+:kind: counterexample
+:given: two parameters, $t_0$ of $[0,1]$ and $t_1>t_0$
+:data: t_0 = 1/4; t_1 = 3/2
+:instead: t_1 = 1
+:then: $t_1-t_0$ is more than 1
+:result: t_1 - t_0 = 5/4
+:method: The number, exactly.
+:control: $t_1$ at the end of the curve
+:::
+*/
+CLAIM(piece_beyond_the_curve_is_longer)
+{
+    num t0 = given(T, "t_0"), t1 = given(T, "t_1"), length = sub(t1, t0);
+    found(T, "t_1 - t_0", length);
+    about(T, "1 - (t_1 - t_0), which should not be negative");
+    nonnegative(T, sub(from_int(1), length));
+}
 #endif
 
 /*
 :::{statement} hu-1987:1-5-tangent-length
-:title: The tangents become shorter by the length of the interval
+:title: The tangents are multiplied by the length of the interval
 :zh: 切矢长度的变化
 :printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
 :holds-by: derivatives_of_a_piece
@@ -249,7 +279,7 @@ The text that is at hand ends before the formula.
 :::
 
 :::{claim} fractional_linear_change_makes_a_rational_curve
-:title: Any fractional linear change of the parameter makes a polynomial curve rational and keeps its points apart, in every degree
+:title: Any fractional linear change makes a polynomial curve rational, and takes different parameters to different ones, in every degree
 :zh: 一般分式线性参数变换(任意次数)
 :given: $t=\frac{pu+q}{ru+s}$, $w=ru+s$; a sum $\sum_{k\le n}c_kt^k$ of some terms, which is $\frac N{w^n}$, one more coefficient $c$, and $V=(pu+q)^{n+1}$; and two
   parameters $u_0$, $u_1$

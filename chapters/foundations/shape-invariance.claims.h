@@ -14,7 +14,7 @@ example, and asks for the condition that excludes it.
 
 #include "chapters/judge/claims_on.h"
 
-enum { dim = 2 };
+enum { dim = 2, space = 3 };
 
 /*
 Two things are said of shapes before the example: that a body has its place for itself, which numbers do not know, and that
@@ -44,27 +44,28 @@ To be the graph of a function is a property that a turn of the same shape can ta
 #if RATIONAL
 /*
 :::{claim} two_descriptions_may_claim_one_place
-:title: Two discs, each well described, contain one point
-:zh: 两圆盘的描述互不排斥
+:title: Two balls, each well described, contain one point
+:zh: 两球体的描述互不排斥
 :kind: decision
-:given: the discs about $C_0$ and $C_1$ with the radii $r_0$ and $r_1$, and a point $X$
-:data: C = (0,0) (1,0); r = 1 1; X = (1/2,0)
-:instead: C = (0,0) (3,0)
+:given: the balls about $C_0$ and $C_1$ with the radii $r_0$ and $r_1$, and a point $X$
+:data: C = (0,0,0) (1,0,0); r = 1 1; X = (1/2,0,0)
+:instead: C = (0,0,0) (3,0,0)
 :then: $|X-C_k|^2<r_k^2$ for both: $X$ is inside of both
 :result: |X - C|² = 1/4 1/4
 :method: Both squares of distances, exactly.
-:control: a disc farther away
+:control: a ball farther away
 :::
 */
 CLAIM(two_descriptions_may_claim_one_place)
 {
-    num C[2 * dim], r[2], X[dim], square[2];
-    given_points(T, "C", 2, 2, C);
+    num C[2 * space], r[2], X[space], from_centre[space], square[2];
+    given_points(T, "C", 2, space, C);
     given_points(T, "r", 2, 1, r);
-    given_points(T, "X", 1, 2, X);
+    given_points(T, "X", 1, space, X);
     for (int k = 0; k < 2; k++) {
-        num from_centre[dim] = {sub(X[0], C[2 * k]), sub(X[1], C[2 * k + 1])};
-        square[k] = G(norm_squared)(2, from_centre);
+        for (int j = 0; j < space; j++)
+            from_centre[j] = sub(X[j], C[k * space + j]);
+        square[k] = G(norm_squared)(space, from_centre);
     }
     found_points(T, "|X - C|²", 2, 1, square);
     agree(T, compare_q(square[0], mul(r[0], r[0])) < 0 && compare_q(square[1], mul(r[1], r[1])) < 0);
@@ -159,11 +160,13 @@ CLAIM(two_cubes_begin_and_end_at_their_points)
 :::{claim} two_cubes_from_the_origin_trace_the_segment
 :title: With one point at the origin the example is the segment
 :zh: 一点为原点时得直线段
-:given: $P_0=(0,0)$, any $P_1$, any $t$
-:then: $P(t)=P_0+t^3(P_1-P_0)$; $t^3$ runs from 0 to 1 and never back, so the curve is the segment, once
-:method: An identity in $t$ and $P_1$, of which $(10,10)$ is one value.
-:scope: every P₁, with P₀ = (0,0)
-:over: x1 y1: -; t
+:given: $P_0=(0,0)$, any $P_1$, any $t$; $s\ge0$, $d>0$
+:then: $P(t)=P_0+t^3(P_1-P_0)$; $t^3$ runs from 0 to 1 and never back, since $(s+d)^3-s^3=d\,(3s^2+3sd+d^2)>0$ for $s\ge0$, $d>0$: so the curve
+  is the segment, once
+:method: Identities in $t$ and $P_1$, of which $(10,10)$ is one value, and in $s$ and $d$; what comes out has no negative coefficient.
+:harmless: $s\ge0$, $d>0$ | two parameters of the interval, the later one is $s+d$
+:scope: 0 ≤ t ≤ 1; every P₁, with P₀ = (0,0)
+:over: x1 y1: -; s d: -
 :control: the factor $t^2$ on the right
 :::
 */
@@ -172,11 +175,17 @@ CLAIM(two_cubes_from_the_origin_trace_the_segment)
     num t = parameter(T, "t"), P[4] = {from_int(0), from_int(0), unknown(T, "x", 1), unknown(T, "y", 1)};
     for (int j = 0; j < dim; j++)
         same(T, G(two_cubes)(P, j, t), mul(G(power)(t, fault(T, 3, 2)), P[dim + j]));
+    num s = positive(T, "s", 0), d = positive(T, "d", 0), three = from_int(3);
+    num rise = sub(G(power)(add(s, d), 3), G(power)(s, 3));
+    about(T, "the growth of the cube of the parameter");
+    /* (s + d)³ - s³ = d (3s² + 3sd + d²) */
+    same(T, rise, mul(d, add(mul(three, mul(s, add(s, d))), mul(d, d))));
+    nonnegative(T, rise);
 }
 
 /*
 The values at the ends say where a curve begins and ends, and nothing about what lies between.  The reason that the
-source gives is therefore none, and the next two claims look for the true one.  The curve begins in $P_0$ and ends in
+source gives is therefore none, and the claims that follow look for the true one.  The curve begins in $P_0$ and ends in
 $P_1$, but its two factors do not add up to 1: some of the weight of the mean is missing, and what is missing is put
 into the origin.  So $P(t)$ is a point of the triangle of $P_0$, $P_1$ and the origin, and it can be on the chord only
 where this triangle shrinks to a line.  In the printed example the origin is $P_0$ itself.
@@ -185,7 +194,7 @@ where this triangle shrinks to a line.  In the printed example the origin is $P_
 :title: That the factors are 1 and 0 at the ends is the reason for the straight line
 :zh: 由端值推出直线
 :printed: Because $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$, the curve is the straight line that joins the two points $P_0=[0,0]$ and $P_1=[10,10]$.
-:refuted-by: ends_alone_make_no_straight_line
+:refuted-by: ends_alone_make_no_straight_line ends_alone_leave_the_segment
 :class: invalid-proof
 :corrected: The curve is the segment $P_0P_1$ exactly when the origin is on this segment.  $P(t)$ is on the line through $P_0\ne P_1$
   for a $t$ of $(0,1)$ exactly when the origin is on this line: $(P_1-P_0)\times(P(t)-P_0)=3t(1-t)\,P_0\times P_1$.
@@ -193,7 +202,8 @@ where this triangle shrinks to a line.  In the printed example the origin is $P_
   two_cubes_from_the_origin_trace_the_segment
 :figure: two_cubes_and_their_image
 
-The conclusion is true for the printed points.
+The conclusion is true for the printed points with the printed functions.  It does not follow from the four values: not for these functions with
+other points, and not for these points with other functions.
 :::
 */
 
@@ -222,6 +232,38 @@ CLAIM(ends_alone_make_no_straight_line)
     found_points(T, "P(t)", 1, 2, at);
     about(T, "the vector product of the chord and of P(t) - P_0");
     vanishes(T, beside_chord(P, at));
+}
+
+/*
+:::{claim} ends_alone_leave_the_segment
+:title: Other factors with the same four values leave the segment between the same points
+:zh: 端值相同的另两函数越出线段
+:kind: counterexample
+:types: rational
+:given: the points $P_0$, $P_1$ of the source, $A_0(t)=1-A_1(t)$, $A_1(t)=t+k\,t(1-t)$, so that $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$; and $t$
+  of $(0,1)$
+:data: P = (0,0) (10,10); k = 2; t = 3/4
+:instead: k = 1
+:then: $P(t)=A_0(t)P_0+A_1(t)P_1$ is beyond $P_1$
+:result: P(t) = (45/4,45/4)
+:method: $(P_1-P(t))\cdot(P_1-P_0)$ is negative for what is beyond $P_1$.
+:control: $k=1$, with which $A_1=t\,(2-t)$ stays below 1
+:::
+*/
+CLAIM(ends_alone_leave_the_segment)
+{
+    num P[4], at[2], chord[2], left[2], k, t, one = from_int(1);
+    given_points(T, "P", 2, 2, P);
+    k = given(T, "k"), t = given(T, "t");
+    num last = mul(t, add(one, mul(k, sub(one, t)))), first = sub(one, last);
+    for (int j = 0; j < dim; j++) {
+        at[j] = add(mul(first, P[j]), mul(last, P[dim + j]));
+        chord[j] = sub(P[dim + j], P[j]);
+        left[j] = sub(P[dim + j], at[j]);
+    }
+    found_points(T, "P(t)", 1, 2, at);
+    about(T, "the product of P_1 - P(t) and P_1 - P_0, which is not negative on the segment");
+    nonnegative(T, G(dot)(2, left, chord));
 }
 #endif
 
@@ -437,6 +479,7 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 :zh: 式 1-2-1 不满足坐标独立性
 :printed: (1-2-1) does not satisfy the condition of coordinate independence, that is, of the invariance of shape, so that it is not proper to
   describe shapes by it.
+:meant: the words behind (1-2-1), let $A_0(t)=(1-t)^3$, $A_1(t)=t^3$ | (1-2-1) with these two functions.
 :holds-by: two_cubes_from_the_origin_trace_the_segment image_of_the_example_turns_everywhere new_coordinates_are_a_translation
 :confirmed-by: image_of_the_example_is_not_the_translated_curve translation_adds_the_sum_of_the_functions matrices_pass_to_the_points
 :figure: two_cubes_and_their_image
@@ -470,6 +513,34 @@ CLAIM(image_of_the_example_is_not_the_translated_curve)
         same(T, sub(G(two_cubes)(image, j, t), add(G(two_cubes)(P, j, t), m[j])), mul(factor, m[j]));
 }
 
+#if RATIONAL
+/*
+:::{claim} image_keeps_no_chord
+:title: In the new coordinates the middle of the example is not on the chord
+:zh: 新坐标系中曲线离弦
+:kind: counterexample
+:given: the curve $P^*(t)=(1-t)^3P_0^*+t^3P_1^*$ of the points $P^*$ of the source, and $t$
+:data: P* = (-3,-2) (7,8); t = 1/2
+:instead: P* = (0,0) (10,10)
+:then: $P^*(t)$ is not on the line through $P_0^*$ and $P_1^*$
+:result: P*(t) = (1/2,3/4)
+:method: The vector product $(P_1^*-P_0^*)\times(P^*(t)-P_0^*)$ is 0 on this line, and nowhere else.
+:control: the old coordinates
+:::
+*/
+CLAIM(image_keeps_no_chord)
+{
+    num P[4], at[2];
+    given_points(T, "P*", 2, 2, P);
+    num t = given(T, "t");
+    for (int j = 0; j < dim; j++)
+        at[j] = G(two_cubes)(P, j, t);
+    found_points(T, "P*(t)", 1, 2, at);
+    about(T, "the vector product of the chord and of P*(t) - P*_0");
+    vanishes(T, beside_chord(P, at));
+}
+#endif
+
 /*
 ## The condition
 
@@ -499,7 +570,6 @@ CLAIM(image_of_the_example_is_not_the_translated_curve)
 */
 CLAIM(matrices_pass_to_the_points)
 {
-    enum { space = 3 };
     num S[space], M[space * space], phi = unknown(T, "f", 0);
     num Q[space] = {unknown(T, "x", 0), unknown(T, "y", 0), unknown(T, "z", 0)};
     for (int m = 0; m < space * space; m++)
@@ -527,26 +597,87 @@ the points whatever the functions are: that is the associative law of the produc
 :zh: 旋转变换下的形状不变性
 :printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0T\cdots Q_nT]^T=[\phi_0\cdots\phi_n][Q_0\cdots Q_n]^TT=P(t)\,T$: after a rotation the
   shape is kept.
-:holds-by: matrices_pass_to_the_points
+:holds-by: matrices_pass_to_the_points rotations_keep_products
 :needs: rotation_about_a_point_moves_the_example | the proof, which multiplies by one matrix $T$ | the rotation is about the origin:
   such a one is a matrix.  About another point it contains a translation.
 :figure: rotations_of_the_example
+
+The first claim has $P^*(t)=P(t)\,T$, the second that the shape is kept: no length, no angle and no volume between points changes.
+:::
+
+:::{claim} rotations_keep_products
+:title: A rotation of space keeps lengths, angles and volumes
+:zh: 空间旋转保持长度、夹角与体积
+:given: the rotation $T$ of the quaternion $h$ with the four numbers $h_0,h_1,h_2,h_3$, not all 0, $v\mapsto hvh^{-1}$; any two vectors $v$, $w$ of space, from point to point
+:then: $(vT)\cdot(wT)=v\cdot w$ and $(vT)\times(wT)=(v\times w)\,T$, hence $\bigl((uT)\times(vT)\bigr)\cdot(wT)=(u\times v)\cdot w$ too
+:method: Every rotation about the origin is of this kind, $(h_1,h_2,h_3)$ along its axis, and its length over $h_0$ the tangent of half the angle.  Identities in
+  the four numbers and the six coordinates; the third follows by the first for $u\times v$ and $w$.
+:over: h#: rotations; v# w#: points
+:control: $T$ without the divisor $|h|^2$
 :::
 */
+/* The rotation of the quaternion h_0 + h_1 i + h_2 j + h_3 k, for rows: its first row is the image of (1, 0, 0); below = |h|^2 */
+static void G(rotation_of_space)(const num h[], num below, num M[])
+{
+    num square[4], two = from_int(2);
+    for (int k = 0; k < 4; k++)
+        square[k] = mul(h[k], h[k]);
+    for (int i = 0; i < space; i++) {
+        int j = (i + 1) % space, k = (i + 2) % space; /* the axes in their cyclic order */
+        num along = sub(add(square[0], square[1 + i]), add(square[1 + j], square[1 + k]));
+        num both_j = mul(h[1 + i], h[1 + j]), both_k = mul(h[1 + i], h[1 + k]);
+        M[i * space + i] = div(along, below);
+        M[i * space + j] = div(mul(two, add(both_j, mul(h[0], h[1 + k]))), below);
+        M[i * space + k] = div(mul(two, sub(both_k, mul(h[0], h[1 + j]))), below);
+    }
+}
+
+/* out = v M, a row times a matrix */
+static void G(row_of_space_times)(const num v[], const num M[], num out[])
+{
+    for (int j = 0; j < space; j++) {
+        out[j] = from_int(0);
+        for (int k = 0; k < space; k++)
+            out[j] = add(out[j], mul(v[k], M[k * space + j]));
+    }
+}
+
+CLAIM(rotations_keep_products)
+{
+    num h[4], M[space * space], v[space], w[space], turned_v[space], turned_w[space], across[space],
+        turned_across[space];
+    for (int k = 0; k < 4; k++)
+        h[k] = unknown(T, "h", k);
+    for (int k = 0; k < space; k++) {
+        v[k] = unknown(T, "v", k);
+        w[k] = unknown(T, "w", k);
+    }
+    G(rotation_of_space)(h, fault(T, G(norm_squared)(4, h), from_int(1)), M);
+    G(row_of_space_times)(v, M, turned_v);
+    G(row_of_space_times)(w, M, turned_w);
+    about(T, "the product of two vectors");
+    same(T, G(dot)(space, turned_v, turned_w), G(dot)(space, v, w)); /* (v T)·(w T) = v·w */
+    G(cross3)(v, w, across);
+    G(row_of_space_times)(across, M, turned_across);
+    G(cross3)(turned_v, turned_w, across);
+    about(T, "the vector product");
+    for (int j = 0; j < space; j++)
+        same(T, across[j], turned_across[j]); /* (v T) × (w T) = (v × w) T */
+}
 
 #if RATIONAL
 /*
 :::{claim} rotation_about_a_point_moves_the_example
-:title: Turning the points of the example about another point does not turn its curve
+:title: Turning the points of the example about another point makes a curve of its segment
 :zh: 绕非原点旋转时形状改变
 :kind: counterexample
-:given: the points $P$ of the source and their curve $P(t)=(1-t)^3P_0+t^3P_1$, the rotation by a right angle about $C$, and $t$; $P^*(t)$ is the
+:given: the points $P$ of the source and their curve $P(t)=(1-t)^3P_0+t^3P_1$, a segment; the rotation by a right angle about $C$, and $t$; $P^*(t)$ is the
   curve of the turned points
-:data: P = (0,0) (10,10); C = (1,0); t = 1/2
+:data: P = (0,0) (10,10); C = (0,1); t = 1/2
 :instead: C = (0,0)
-:then: $P^*(t)$ is not the turned point $P(t)$
-:result: turned P = (1,-1) (-9,9); turned P(t) = (-1/4,1/4); P*(t) = (-1,1)
-:method: Both points, exactly.
+:then: $P^*(t)$ is not on the line through the turned points, so the shape is not kept; and it is not the turned point $P(t)$
+:result: turned P = (1,1) (-9,11); turned P(t) = (-1/4,9/4); P*(t) = (-1,3/2)
+:method: The vector product of the turned chord and of $P^*(t)-P_0^*$, which is 0 on this line and nowhere else; and both points, exactly.
 :control: the rotation about the origin
 :::
 */
@@ -574,6 +705,8 @@ CLAIM(rotation_about_a_point_moves_the_example)
     found_points(T, "turned P", 2, 2, turned);
     found_points(T, "turned P(t)", 1, 2, image);
     found_points(T, "P*(t)", 1, 2, there);
+    about(T, "the vector product of the turned chord and of P*(t) - P*_0");
+    vanishes(T, beside_chord(turned, there));
     about(T, "the coordinates of the curve of the turned points, and of the turned point of the curve");
     for (int j = 0; j < dim; j++)
         same(T, there[j], image[j]);
@@ -584,7 +717,8 @@ CLAIM(rotation_about_a_point_moves_the_example)
 A translation does not distribute.  Every point receives the vector $m$, and the curve receives it as often as the
 functions add up to.  The whole condition can be read off this one line; what has to be watched is the word "shape".
 Whoever asks that the curve goes where its points go needs the sum 1 (柯西关系).  Whoever asks only that it stays congruent
-to itself needs a constant sum, and the print does not say which of the two is meant.
+to itself needs a constant sum: for points that are all in the origin the curve is a point, and that of the moved points is $(\sum\phi_i)\,m$.  The
+print does not say which of the two is meant.
 
 :::{statement} hu-1987:1-2-translation
 :title: What a translation of the points does to the curve
@@ -673,7 +807,8 @@ CLAIM(doubled_functions_keep_the_shape)
 :instead: k = 1
 :then: $P^*(t)-P(t)$ is the same for all three $t$, so the segments are congruent; $\phi_0+\phi_1$ is not 1
 :result: P*(t) - P(t) = (2,2) (2,2) (2,2); φ_0 + φ_1 = 2 2 2
-:method: The points, exactly; two positions of a segment are congruent when they differ by a translation.
+:method: The points, exactly; the difference is linear in $t$, and so the same for every $t$; two positions of a segment are congruent when they differ by a
+  translation.
 :control: $\phi_0=1-t$, $\phi_1=t$
 :::
 */
@@ -718,9 +853,9 @@ CLAIM(shape_is_kept_without_the_sum_one)
 :kind: decision
 :given: $\sigma(t)=(1-t)^3+t^3$ on $[0,1]$, and $t_0$ in its middle
 :data: t_0 = 1/2
-:then: $\sigma-1$ is negative on $(0,1)$, and the smallest value of $\sigma$ is the one at $t_0$
+:then: $\sigma-1$ is negative on $(0,1)$ and 0 at the ends, and the smallest value of $\sigma$ is the one at $t_0$
 :result: σ(t) = "3*t^2 - 3*t + 1"; σ(t_0) = 1/4
-:method: Signs of two polynomials on the interval, by root counts: of $\sigma-1$, and of $\sigma-\sigma(t_0)$.
+:method: Signs of two polynomials on the interval, by root counts: of $\sigma-1$, and of $\sigma-\sigma(t_0)$; the values of the first at the ends.
 :scope: 0 ≤ t ≤ 1
 :control: the sum $(1-t)^3+3(1-t)^2t+3(1-t)t^2+t^3$
 :::
@@ -736,88 +871,8 @@ CLAIM(sum_of_two_cubes_is_less_than_one)
     found(T, "σ(t_0)", least);
     poly below_one = poly_sub(sum, poly_constant(from_int(1))), above_least = poly_sub(sum, poly_constant(least));
     agree(T, sign_on(below_one, from_int(0), from_int(1), OPEN) == SIGN_NEGATIVE);
+    agree(T, is_zero_q(poly_value(below_one, from_int(0))) && is_zero_q(poly_value(below_one, from_int(1))));
     agree(T, sign_on(above_least, from_int(0), from_int(1), CLOSED) == SIGN_NONNEGATIVE);
-}
-#endif
-
-/*
-## What is said of parametric curves in general
-
-Section 1-4 of the source praises the parametric form.  It means a vector function $P(t)=[x(t)\;y(t)\;z(t)]$, and maps
-its values; section 1-2 has moved control points, which is another thing.
-
-:::{statement} hu-1987:1-4-advantage-invariance
-:title: Parametric curves are geometrically invariant
-:zh: 参数曲线的几何不变性
-:printed: The parametric description has geometric invariance: its shape does not depend on the choice of coordinates, and geometric properties
-  of a figure can be studied without relying on a coordinate system.
-:holds-by: image_of_a_power_curve_is_one matrices_pass_to_the_points translation_adds_the_sum_of_the_functions
-:hypothesis: image_keeps_no_chord | functions that are the factors of points have the sum 1: the relation of Cauchy.
-  The curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the coordinates.
-:figure: two_cubes_and_their_image
-
-As a vector function a polynomial curve is mapped to $P(t)\,T+m$, which is one of the same kind, whatever its coefficients are.
-:::
-
-:::{claim} image_of_a_power_curve_is_one
-:title: The image of a polynomial curve is the polynomial curve of the mapped coefficients
-:zh: 多项式曲线的仿射象
-:given: a sum $S=\sum c_kt^k$ of some terms, which may be any point of space, with one more coefficient $c$ and power $p=t^k$; any
-  $3\times3$ matrix $T$ and any $m$
-:then: $(S+cp)\,T+m=(ST+m)+(cT)\,p$; so $P(t)\,T+m=\sum_kd_kt^k$ with $d_0=c_0T+m$ and $d_k=c_kT$ for $k>0$
-:method: Both sides with everything a variable; by induction for any number of terms.
-:degrees: all
-:scope: polynomial curves
-:over: s# x# y# z#: coefficients; p: t; t#: matrices; m#: translations
-:control: $m$ added to the new coefficient as well
-:::
-*/
-CLAIM(image_of_a_power_curve_is_one)
-{
-    enum { space = 3 };
-    num S[space], M[space * space], power = unknown(T, "p", 0);
-    num c[space] = {unknown(T, "x", 0), unknown(T, "y", 0), unknown(T, "z", 0)};
-    for (int k = 0; k < space * space; k++)
-        M[k] = unknown(T, "t", k);
-    for (int k = 0; k < space; k++)
-        S[k] = unknown(T, "s", k);
-    for (int j = 0; j < space; j++) {
-        num m = unknown(T, "m", j), image = m, before = m, d = fault(T, from_int(0), m);
-        for (int k = 0; k < space; k++) {
-            num entry = M[k * space + j];
-            image = add(image, mul(add(S[k], mul(c[k], power)), entry));
-            before = add(before, mul(S[k], entry));
-            d = add(d, mul(c[k], entry));
-        }
-        same(T, image, add(before, mul(d, power))); /* (S + c p) T + m = (S T + m) + (c T) p */
-    }
-}
-
-#if RATIONAL
-/*
-:::{claim} image_keeps_no_chord
-:title: In the new coordinates the middle of the example is not on the chord
-:zh: 新坐标系中曲线离弦
-:kind: counterexample
-:given: the curve $P^*(t)=(1-t)^3P_0^*+t^3P_1^*$ of the points $P^*$ of the source, and $t$
-:data: P* = (-3,-2) (7,8); t = 1/2
-:instead: P* = (0,0) (10,10)
-:then: $P^*(t)$ is not on the line through $P_0^*$ and $P_1^*$
-:result: P*(t) = (1/2,3/4)
-:method: The vector product $(P_1^*-P_0^*)\times(P^*(t)-P_0^*)$ is 0 on this line, and nowhere else.
-:control: the old coordinates
-:::
-*/
-CLAIM(image_keeps_no_chord)
-{
-    num P[4], at[2];
-    given_points(T, "P*", 2, 2, P);
-    num t = given(T, "t");
-    for (int j = 0; j < dim; j++)
-        at[j] = G(two_cubes)(P, j, t);
-    found_points(T, "P*(t)", 1, 2, at);
-    about(T, "the vector product of the chord and of P*(t) - P*_0");
-    vanishes(T, beside_chord(P, at));
 }
 #endif
 
