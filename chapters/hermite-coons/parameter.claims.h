@@ -306,10 +306,12 @@ of its cylinders, and for a circle that is tilted against all three axes and any
 :holds-by: both_equations_hold_at_one_point
 :hypothesis: closed_curve_is_no_pair_of_graphs | each value of one coordinate has one point: explicit equations $y=f(x)$,
   $z=g(x)$ are that, or those of another coordinate
-:hypothesis: no_two_projections_give_the_circle | the curve is all that the cylinders over two of its projections have in
-  common; for some curves no choice of two will do
-:hypothesis: two_cylinders_hold_more_than_the_curve | the curve is all that the cylinders over two of its projections have in
-  common: for others two projections will do and two others will not
+:meant: the first half of the sentence, on explicit equations (显示方程) | Of explicit equations each has two of the coordinates and is a cylinder; two of
+  them are needed, and define the curve.
+:reading: both_equations_hold_at_one_point | by two explicit equations $y=f(x)$, $z=g(x)$, each of them a cylinder
+:reading: surfaces_that_are_no_cylinders_meet_in_a_curve | in no other way: surfaces that have just the curve in common are cylinders
+:reading: no_two_projections_give_the_circle | by the cylinders over some two of its projections, for every curve
+:reading: two_cylinders_hold_more_than_the_curve | by the cylinders over any two of its projections, for every curve for which some two will do
 :confirmed-by: graphs_over_one_axis_meet_in_one_curve two_cylinders_are_two_ellipses two_cylinders_of_the_circle_hold_an_ellipse
 :figure: two_cylinders
 
@@ -439,6 +441,43 @@ CLAIM(two_cylinders_of_the_circle_hold_an_ellipse)
 
 #if RATIONAL
 /*
+:::{claim} surfaces_that_are_no_cylinders_meet_in_a_curve
+:title: Two surfaces that are no cylinders have just a space curve in common
+:zh: 两张非柱面的曲面交于一空间曲线
+:kind: counterexample
+:data: F = (0,1,0,-1) (-1,1,1,-1)
+:instead: F = (0,1,0,-1) (-1,0,1,0)
+:result: determinants = 1 1; F_2 on the first surface = -1 0 1
+:given: two surfaces $F_k=ax^2+bxy+dy+ez=0$ by their coefficients $a,b,d,e$, of which the first is $z=xy$; the curve $(t,t^2,t^3)$
+:then: both equations hold along the curve, and, since $F_2$ is on the first surface a multiple of $y-x^2$, nowhere else; neither surface is a cylinder
+:method: The equations by powers of $t$; the coefficients of $x^2$, $xy$ and $y$ in $F_2$ where $z$ is that of the first surface.  With $e\ne0$ a surface is a
+  cylinder in the direction $(p,q,r)$ only if $(2ax+by)p+(bx+d)q+er=0$ for all $x$ and $y$, which are three equations for $p,q,r$; the direction is not
+  $(0,0,0)$, so that their determinant is 0.
+:control: the second surface is the cylinder $y=x^2$
+:::
+*/
+CLAIM(surfaces_that_are_no_cylinders_meet_in_a_curve)
+{
+    num F[2 * 4], determinants[2], on[3], zero = from_int(0);
+    given_points(T, "F", 2, 4, F);
+    about(T, "the equations along the curve");
+    for (int k = 0; k < 2; k++) {
+        const num *c = F + 4 * k; /* a, b, d, e; along the curve x^2 and y are t^2, xy and z are t^3 */
+        vanishes(T, add(c[0], c[2]));
+        vanishes(T, add(c[1], c[3]));
+        num rows[9] = {mul(from_int(2), c[0]), c[1], zero, c[1], zero, zero, zero, c[2], c[3]};
+        determinants[k] = determinant_q(3, rows);
+    }
+    for (int j = 0; j < 3; j++)
+        on[j] = sub(F[4 + j], mul(div(F[7], F[3]), F[j]));
+    found_points(T, "determinants", 2, 1, determinants);
+    found_points(T, "F_2 on the first surface", 3, 1, on);
+    about(T, "whether one of the surfaces is a cylinder, or more than the curve is on both");
+    int no_cylinders = !is_zero_q(determinants[0]) && !is_zero_q(determinants[1]);
+    refute(T, no_cylinders && is_zero_q(on[1]) && !is_zero_q(on[2]));
+}
+
+/*
 :::{claim} two_cylinders_hold_more_than_the_curve
 :title: A point of both cylinders that is not on the curve
 :zh: 两柱面交线多于原曲线
@@ -464,31 +503,34 @@ CLAIM(two_cylinders_hold_more_than_the_curve)
 
 /*
 :::{claim} closed_curve_is_no_pair_of_graphs
-:title: The ellipse has two points for one x
+:title: The ellipse has two points for one x, for one y and for one z
 :zh: 闭曲线不是显式方程组
 :kind: counterexample
-:data: p = (3/5,4/5,4/5) (3/5,-4/5,-4/5)
-:instead: p = (3/5,4/5,4/5) (3/5,4/5,4/5)
-:given: the ellipse $x^2+y^2=1$, $z=y$ and two of its points $p$ with one $x$
-:then: with $y=f(x)$ both would have one $y$, and they have not
-:method: Both points on the ellipse, exactly; their $x$ and $y$.
-:control: the first point twice
+:data: p = (3/5,4/5,4/5) (3/5,-4/5,-4/5) (-3/5,4/5,4/5)
+:instead: p = (3/5,4/5,4/5) (3/5,4/5,4/5) (3/5,4/5,4/5)
+:given: the ellipse $x^2+y^2=1$, $z=y$ and three of its points $p$: the first two with one $x$, the first and the third with one $y$ and one $z$
+:then: with $y=f(x)$ the first two would have one $y$, with $x=f(y)$ or $x=f(z)$ the first and the third one $x$, and they have not
+:method: The points on the ellipse, exactly; their coordinates.
+:control: the first point three times
 :::
 */
 CLAIM(closed_curve_is_no_pair_of_graphs)
 {
-    num points[2 * space];
-    given_points(T, "p", 2, space, points);
-    for (int k = 0; k < 2; k++) {
+    num points[3 * space];
+    given_points(T, "p", 3, space, points);
+    for (int k = 0; k < 3; k++) {
         const num *p = points + k * space;
         about(T, "the ellipse");
         same(T, add(mul(p[0], p[0]), mul(p[1], p[1])), from_int(1));
         same(T, p[2], p[1]);
     }
-    about(T, "x of the two points");
-    same(T, points[0], points[space]);
-    about(T, "y of the two points with one x");
-    same(T, points[1], points[space + 1]);
+    const num *second = points + space, *third = points + 2 * space;
+    about(T, "x of the first two points, y and z of the first and the third");
+    same(T, points[0], second[0]);
+    same(T, points[1], third[1]);
+    same(T, points[2], third[2]);
+    about(T, "whether there is one point for each value of x, or of y, or of z");
+    refute(T, !equal_q(points[1], second[1]) && !equal_q(points[0], third[0]));
 }
 #endif
 
@@ -820,7 +862,7 @@ other: for a curve whose shape follows a control polygon, and for a curve that i
 :::{statement} slides-ch4:1-two-kinds
 :title: Curves through the points, and curves with a control polygon
 :zh: 插值曲线与逼近曲线
-:printed: A curve that has to pass through the points is interpolating; one that need not, and whose shape is controlled by the polygon of
+:printed: A curve or surface that has to pass through the points is interpolating; one that need not, and whose shape is controlled by the polygon of
   the points, is approximating.  Interpolation: a curve through the points in their order.
 :definition: yes
 :checked-by: one_cubic_passes_through_four_data
@@ -850,7 +892,8 @@ example a curve of the same degree passes through the points.  By the least sum 
 :result: distance = 1/2
 :given: the points $Q$ at the parameters $t$, and two curves of degree 2: that with the points $Q$, and that with the points $R$
 :then: the Bézier curve of the points $Q$ passes straight below the second of them, and the other one passes through all three
-:method: The points of both curves at the three parameters.
+:method: The points of both curves at the three parameters; $x=2t$ along the Bézier curve, at three parameters and so at all, so that it is at the $x$ of the
+  second point nowhere else.
 :control: the same curve twice
 :::
 */
@@ -860,10 +903,15 @@ CLAIM(parabola_through_the_points_is_nearer)
     given_points(T, "Q", 3, plane, Q);
     given_points(T, "t", 3, 1, t);
     given_points(T, "R", 3, plane, R);
+    about(T, "x along the Bézier curve");
+    for (int k = 0; k <= 2; k++) {
+        G(bezier_casteljau)(2, plane, Q, t[k], P);
+        same(T, P[0], mul(from_int(2), t[k]));
+    }
     G(bezier_casteljau)(2, plane, Q, t[1], P);
     num distance = sub(Q[plane + 1], P[1]);
     found(T, "distance", distance);
-    about(T, "the distance of the Bézier curve from the second point");
+    about(T, "the distance of the Bézier curve from the second point, straight down");
     same(T, P[0], Q[plane]);
     agree(T, sign_q(distance) > 0);
     about(T, "the curve through the points");
