@@ -239,7 +239,7 @@ $w$ and that of the twists are free; in $y$ that of the tangents along $u$ and t
 :data: blocks = 2 3 1 3 2 3; P = (0,0,0) (0,1,0) (1,0,0) (1,1,0)
 :instead: |C_x| = 4 4 0 0 6 4 1 0 0 1 1 1 0 1 1 0; |C_y| = 0 0 0 0 0 0 1 1 0 1 1 1 0 0 1 0
 :instead: |C_z| = 0 0 0 0 0 0 1 0 0 1 1 0 2 3 1 0
-:given: the points $P$ of the corners $00$, $01$, $10$, $11$, the absolute values of the three corner matrices $M$ and of the three matrices $C$ of
+:given: the points $P$ of the corners, $w=0$ before $w=1$ and $u=0$ before $u=1$; the absolute values of the three corner matrices $M$ and of the three matrices $C$ of
   coefficients, row by row, in units of three quarters; the coordinates of the corners are not negative, as printed; all choices of the other signs; for each of $x$, $y$, $z$ two of the blocks of $M$, of which block 1 has
   the tangents along $u$, 2 those along $w$, 3 the twists; $H$, whose columns are the coefficients of the four functions $q$
 :then: the corners in $M$ are the points; $|HMH^T|$ is the printed matrix for exactly as many choices of the free signs as are given for $x$, $y$ and $z$; from one that fits the others

@@ -165,11 +165,8 @@ CLAIM(two_equal_nodes_of_four_have_no_cubic)
 {
     num t[4], rows[16];
     given_points(T, "t", 4, 1, t);
-    for (int i = 0; i < 4; i++) {
-        rows[4 * i] = from_int(1);
-        for (int k = 1; k < 4; k++)
-            rows[4 * i + k] = mul(rows[4 * i + k - 1], t[i]);
-    }
+    for (int j = 0; j < 16; j++)
+        rows[j] = j % 4 == 0 ? from_int(1) : mul(rows[j - 1], t[j / 4]);
     num determinant = determinant_q(4, rows);
     found(T, "the determinant", determinant);
     refute(T, is_zero_q(determinant));
