@@ -189,8 +189,7 @@ CLAIM(surfaces_that_are_no_cylinders_meet_in_a_curve)
     found_points(T, "determinants", 2, 1, determinants);
     found_points(T, "F_2 on the first surface", 3, 1, on);
     about(T, "whether one of the surfaces is a cylinder, or more than the curve is on both");
-    int no_cylinders = !is_zero_q(determinants[0]) && !is_zero_q(determinants[1]);
-    refute(T, no_cylinders && is_zero_q(on[1]) && !is_zero_q(on[2]));
+    refute(T, !is_zero_q(determinants[0]) && !is_zero_q(determinants[1]) && is_zero_q(on[1]) && !is_zero_q(on[2]));
 }
 
 /*
