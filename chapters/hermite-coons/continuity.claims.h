@@ -143,13 +143,15 @@ CLAIM(a_factor_raises_the_order_of_a_zero)
 :::{claim} equal_derivatives_leave_a_power
 :title: Polynomials with the same derivatives up to order k differ by a multiple of the next power
 :zh: 左右 k 阶导数相等的充要条件
-:given: any polynomial $p$ of degree 7, any $x_0$, any $r$ of degree 2; $q(x)=p(x)+(x-x_0)^{k+1}r(x)$
+:given: any polynomial $p$ of degree 7, any $x_0$, any $r$ of degree 2, any numbers $d_0,\dots,d_k$;
+  $q(x)=p(x)+\sum_{j\le k}d_j(x-x_0)^j+(x-x_0)^{k+1}r(x)$
 :scope: polynomials of degree 7
-:then: $q^{(j)}(x_0)=p^{(j)}(x_0)$ for $j\le k$, and $q^{(k+1)}(x_0)-p^{(k+1)}(x_0)=(k+1)!\,r(x_0)$
-:method: $q$ is multiplied out in powers of $x$; everything a variable.
+:then: $q^{(j)}(x_0)-p^{(j)}(x_0)=j!\,d_j$ for $j\le k$, so that the derivatives up to the order $k$ are the same exactly when all $d_j$ are 0, and
+  $q^{(k+1)}(x_0)-p^{(k+1)}(x_0)=(k+1)!\,r(x_0)$
+:method: $q$ is multiplied out in powers of $x$; everything a variable.  Every polynomial of degree at most $k+3$ is such a sum in powers of $x-x_0$.
 :degrees: order k = 0..4 sampled 8
-:over: p# r#: coefficients; x: x₀
-:control: the exponent $k$
+:over: p# r# d#: coefficients; x: x₀
+:control: the exponent $k$ beside $r$
 :::
 */
 CLAIM(equal_derivatives_leave_a_power)
@@ -160,12 +162,16 @@ CLAIM(equal_derivatives_leave_a_power)
     struct G(poly) gap = {1, {neg(x0), from_int(1)}}, product = r;
     for (int j = 0; j < fault(T, k + 1, k); j++)
         product = G(times)(product, gap);
-    for (int j = 2; j <= k + 1; j++)
-        factorial = mul(factorial, from_int(j));
-    struct G(poly) q = G(plus)(p, product);
+    /* d_k, d_{k-1} + d_k (x - x_0), ... */
+    struct G(poly) d = G(free_poly)(T, "d", k), low = G(constant)(d.c[k]);
+    for (int j = k - 1; j >= 0; j--)
+        low = G(plus)(G(times)(low, gap), G(constant)(d.c[j]));
+    struct G(poly) q = G(plus)(p, G(plus)(low, product));
     about(T, "the derivatives up to order k");
-    for (int j = 0; j <= k; j++)
-        same(T, G(at)(q, j, x0), G(at)(p, j, x0));
+    for (int j = 0; j <= k; j++) {
+        same(T, sub(G(at)(q, j, x0), G(at)(p, j, x0)), mul(factorial, d.c[j]));
+        factorial = mul(factorial, from_int(j + 1));
+    }
     about(T, "the derivative of order k + 1");
     same(T, sub(G(at)(q, k + 1, x0), G(at)(p, k + 1, x0)), mul(factorial, G(at)(r, 0, x0)));
 }
@@ -180,8 +186,8 @@ is no way in either direction: the figure does not know how fast it is run throu
 :zh: C0、C1、C2 的几何意义
 :printed: Geometrically $C^0$, $C^1$, $C^2$ mean that the graph of the function, the direction of its tangent, its curvature are continuous.
 :holds-by: curvature_of_a_graph
-:argued: | Slope and curvature are formed from $f'$ and $f''$ by sums, products and a root, divided by numbers that are not
-  0, and so are continuous where $f'$ and $f''$ are.
+:argued: | The point of the graph, $(x,f)$, is continuous where $f$ is.  Slope and curvature are formed from $f'$ and $f''$ by sums, products and a
+  root, divided by numbers that are not 0, and so are continuous where $f'$ and $f''$ are.
 :meant: the words "of the function" (该函数的图形), and "are continuous" | From the class to the figure, for graphs.
 :reading: curvature_of_a_graph | from the class to the figure, for graphs
 :reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs
@@ -434,7 +440,7 @@ part along the tangent may be added.  Each of the four readings of the printed s
 :refuted-by: proportional_derivatives_with_another_curvature one_factor_for_both_derivatives smooth_curve_without_proportional_derivatives proportional_derivatives_by_arc_length
 :class: false
 :corrected: $\dot P_{\mathrm{II}}=\lambda\dot P_{\mathrm I}$ and $\ddot P_{\mathrm{II}}=\lambda^2\ddot P_{\mathrm I}+\beta\dot P_{\mathrm I}$ at the joint of the segments $P_{\mathrm I}$
-  and $P_{\mathrm{II}}$, with $\lambda>0$ and any $\beta$, $\dot P_{\mathrm I}\ne0$
+  and $P_{\mathrm{II}}$, with some $\lambda>0$ and some $\beta$, $\dot P_{\mathrm I}\ne0$
 :corrected-by: conditions_make_one_curve_in_another_parameter condition_keeps_the_curvature_vector curvature_vector_forces_the_condition
   second_derivative_splits_along_the_first
 :figure: proportional_derivatives

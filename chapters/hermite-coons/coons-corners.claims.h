@@ -236,15 +236,15 @@ $w$ and that of the twists are free; in $y$ that of the tangents along $u$ and t
 :data: |M_x| = 0 0 1 1 1 1 1 1 1 1 1 1 1 1 1 1; |C_x| = 4 4 0 0 6 5 1 0 0 1 1 1 0 1 1 0
 :data: |M_y| = 0 1 1 1 0 1 1 1 1 1 1 1 1 1 1 1; |C_y| = 0 0 0 0 0 1 1 1 0 1 1 1 0 0 1 0
 :data: |M_z| = 0 0 1 1 0 0 1 1 0 0 1 1 0 0 1 1; |C_z| = 0 0 0 0 0 1 1 0 0 1 1 0 2 3 1 0; choices = 2 4 4; free signs = 12 12 8
-:data: blocks = 2 3 1 3 2 3
+:data: blocks = 2 3 1 3 2 3; P = (0,0,0) (0,1,0) (1,0,0) (1,1,0)
 :instead: |C_x| = 4 4 0 0 6 4 1 0 0 1 1 1 0 1 1 0; |C_y| = 0 0 0 0 0 0 1 1 0 1 1 1 0 0 1 0
 :instead: |C_z| = 0 0 0 0 0 0 1 0 0 1 1 0 2 3 1 0
-:given: the absolute values of the three corner matrices $M$ and of the three matrices $C$ of coefficients, row by row, in units of three quarters; the
-  coordinates of the corners are not negative, as printed; all choices of the other signs; for each of $x$, $y$, $z$ two of the blocks of $M$, of which block 1 has
+:given: the points $P$ of the corners, $w=0$ before $w=1$ and $u=0$ before $u=1$; the absolute values of the three corner matrices $M$ and of the three matrices $C$ of
+  coefficients, row by row, in units of three quarters; the coordinates of the corners are not negative, as printed; all choices of the other signs; for each of $x$, $y$, $z$ two of the blocks of $M$, of which block 1 has
   the tangents along $u$, 2 those along $w$, 3 the twists; $H$, whose columns are the coefficients of the four functions $q$
-:then: $|HMH^T|$ is the printed matrix for exactly as many choices of the free signs as are given for $x$, $y$ and $z$; from one that fits the others
+:then: the corners in $M$ are the points; $|HMH^T|$ is the printed matrix for exactly as many choices of the free signs as are given for $x$, $y$ and $z$; from one that fits the others
   are found by changing the signs of whole blocks: for $x$ of both together, for $y$ and $z$ of either
-:method: All choices, in integers; each that fits once more with the signs of its blocks changed.
+:method: The corners of $M$ coordinate by coordinate; all choices, in integers; each that fits once more with the signs of its blocks changed.
 :control: in each $C$ the second entry of the second row is one unit less
 :::
 */
@@ -310,7 +310,8 @@ CLAIM(signs_of_the_worked_patch)
 {
     static const char *const name[3][3] = {
         {"|M_x|", "|C_x|", "choices for x"}, {"|M_y|", "|C_y|", "choices for y"}, {"|M_z|", "|C_z|", "choices for z"}};
-    num choices[3], signs[3], blocks[6];
+    num choices[3], signs[3], blocks[6], P[4 * 3];
+    given_points(T, "P", 4, 3, P);
     given_points(T, "choices", 3, 1, choices);
     given_points(T, "blocks", 6, 1, blocks);
     given_points(T, "free signs", 3, 1, signs);
@@ -319,6 +320,9 @@ CLAIM(signs_of_the_worked_patch)
         int corners[16], coefficients[16], tried, by_blocks;
         given_points(T, name[axis][0], 16, 1, M);
         given_points(T, name[axis][1], 16, 1, C);
+        about(T, "the corners in M, and the points");
+        for (int k = 0; k < 4; k++) /* 00, 01, 10, 11 */
+            same(T, M[4 * (k / 2) + k % 2], P[3 * k + axis]);
         for (int i = 0; i < 16; i++)
             corners[i] = (int)to_double_q(M[i]), coefficients[i] = (int)to_double_q(C[i]);
         int of_axis[2] = {(int)to_double_q(blocks[2 * axis]), (int)to_double_q(blocks[2 * axis + 1])};

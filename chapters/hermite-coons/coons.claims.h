@@ -42,7 +42,7 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :needs: blendings_without_sum_one_move_the_patch | the conditions printed with the functions | the blending functions have the
   sum 1: with it the patch moves with its frame, without it it need not
 :needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | the blending functions have the
-  sum 1: with it the curves between opposite borders stay on the line of two points, without it they need not
+  sum 1: with it the curves of $P_1$ and $P_2$ between opposite borders stay on the line of two points, without it they need not
 :figure: boolean_sum
 
 The end values keep the borders, the sum lets the surface move with its frame; that the functions are continuous is not used.
@@ -85,6 +85,7 @@ static void G(borders_are_kept)(trial *T, int m)
 :title: The patch of four curves that meet has them as borders
 :zh: 曲面以给定四曲线为边界
 :given: corners, and at a border any value of its curve and of the blending functions of its parameter
+:where: the curves meet at the corners
 :then: the patch at $u=0$, $u=1$, $w=0$, $w=1$ is the value of $0w$, $1w$, $u0$, $u1$
 :method: On a border the functions of the other parameter are 1 and 0 and the curves across are at their corners; no other property is used.
 :over: m#: corners; x#: border curves; f#: blending functions
@@ -305,7 +306,7 @@ only that they meet at the corners; the condition $f_0+f_1=1$ is needed for some
 
 :::{statement} slides-ch4:3-bilinear
 :title: The patch with four given borders
-:zh: 双线性混合 Coons 曲面
+:zh: 以给定四曲线为边界的 Coons 曲面
 :printed: $P=P_1+P_2-P_3=[f_0(u)\;f_1(u)]\begin{bmatrix}0w\\1w\end{bmatrix}+[u0\;u1]\begin{bmatrix}f_0(w)\\f_1(w)\end{bmatrix}-[f_0(u)\;f_1(u)]\,M\begin{bmatrix}f_0(w)\\f_1(w)\end{bmatrix}$, $M=\begin{bmatrix}00&01\\10&11\end{bmatrix}$, has the borders $u0,u1,0w,1w$; for
   $u=0$ the right side is $0w+f_0(w)00+f_1(w)01-f_0(w)00-f_1(w)01=0w$
 :holds-by: coons_kernel_is_the_bordered_product four_curves_are_borders
@@ -424,14 +425,14 @@ CLAIM(open_corner_is_two_points)
 :title: With a function whose end value is not 1 the patch loses a corner
 :zh: 混合函数端值不为 1 则失去角点
 :kind: counterexample
-:data: f_0(0) = 1/2; f_1(0) = 0; 00 = 1
-:instead: f_0(0) = 1
+:data: f_0(0) = 1/2; f_1(0) = 1/2; 00 = 1
+:instead: f_0(0) = 1; f_1(0) = 0
 :result: P(0,0) = 3/4
-:given: the values of the blending functions at 0; the curves $0w$ and $u0$, which have the corner $00$ at their ends $w=0$ and $u=0$; the three other
+:given: the values of two blending functions at 0, whose sum is 1; the curves $0w$ and $u0$, which have the corner $00$ at their ends $w=0$ and $u=0$; the three other
   corners are 0
 :then: $P(0,0)$ is not $00$
 :method: The kernel at $u=w=0$.
-:control: $f_0(0)$ is 1
+:control: $f_0(0)=1$, $f_1(0)=0$
 :::
 */
 CLAIM(blendings_without_end_values_lose_a_corner)
@@ -546,6 +547,7 @@ In the text at hand the sums of products have no signs; with those shown here th
 :zh: 角点信息可由边界数据求得
 :printed: From $u0,u1,0w,1w$ and $u0_w,u1_w,0w_u,1w_u$ the points, tangents and twist vectors of the four corners can be computed.
 :holds-by: borders_and_cross_derivatives_are_kept unit_functions_are_dual_to_the_data
+:confirmed-by: cubic_frame_takes_the_data_of_the_corners
 :hypothesis: two_twists_cannot_both_be_kept | both ways to compute each of them give one vector
 :figure: two_twists
 :::

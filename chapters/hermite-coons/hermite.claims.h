@@ -15,10 +15,10 @@ serves for existence and uniqueness, the system being square.
 :::{statement} slides-ch4:2-hermite-problem
 :title: The polynomial with given values and derivatives
 :zh: 一般 Hermite 插值问题
-:printed: $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$, $j=0,1,\dots,m_i-1$, is to be satisfied by a polynomial $P(t)$ of degree
-  $N=m_0+m_1+\dots+m_k-1$
+:printed: A polynomial $P(t)$ of degree $N=m_0+m_1+\dots+m_k-1$ is to be determined, with $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$,
+  $j=0,1,\dots,m_i-1$.
 :holds-by: one_more_datum_determines_one_more_coefficient a_factor_raises_the_order_of_a_zero
-:confirmed-by: hermite_interpolant_exists_and_is_unique a_factor_raises_the_order_of_a_zero
+:confirmed-by: hermite_interpolant_exists_and_is_unique
 :hypothesis: straight_data_have_no_cubic | the degree is at most $N$: of degree exactly $N$ there may be none
 :needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | the $k+1$ points $t_i$ are different
 :figure: hermite_blending_functions
@@ -30,7 +30,7 @@ serves for existence and uniqueness, the system being square.
 :title: In general the interpolating polynomial is of a high degree
 :zh: 一般 Hermite 插值多项式次数较高
 :printed: for the general problem the interpolating polynomial is in general of a rather high degree, and inconvenient to use
-:reading: one_more_datum_determines_one_more_coefficient | its degree grows with the data, by one with each value and each derivative, but for a datum that
+:reading: one_more_datum_determines_one_more_coefficient | its degree grows with the data: it is one less than their number, but for a last datum that
   the polynomial of those before has already
 :confirmed-by: hermite_interpolant_exists_and_is_unique a_factor_raises_the_order_of_a_zero
 :reading: which degree is high, and what inconvenient: the slides do not say, so that nothing is there to be decided
@@ -143,6 +143,31 @@ CLAIM(equal_nodes_have_no_interpolant)
     num t[2];
     given_points(T, "t", 2, 1, t);
     num determinant = sub(t[1], t[0]);
+    found(T, "the determinant", determinant);
+    refute(T, is_zero_q(determinant));
+}
+
+/*
+:::{claim} two_equal_nodes_of_four_have_no_cubic
+:title: With two equal nodes among four the conditions contradict each other
+:zh: 四节点中有两个相同则无解
+:kind: counterexample
+:data: t = 0 1 2 0
+:instead: t = 0 1 2 3
+:result: the determinant = 0
+:given: four nodes $t$, two of which are equal, one value at each; cubics $c_0+c_1t+c_2t^2+c_3t^3$
+:then: the determinant of the conditions is 0: if the two values are equal, infinitely many cubics satisfy all four, and if not, none does
+:method: The determinant of the system with the rows $(1,t_i,t_i^2,t_i^3)$; that it is not 0 is refuted.
+:control: four different nodes
+:::
+*/
+CLAIM(two_equal_nodes_of_four_have_no_cubic)
+{
+    num t[4], rows[16];
+    given_points(T, "t", 4, 1, t);
+    for (int j = 0; j < 16; j++)
+        rows[j] = j % 4 == 0 ? from_int(1) : mul(rows[j - 1], t[j / 4]);
+    num determinant = determinant_q(4, rows);
     found(T, "the determinant", determinant);
     refute(T, is_zero_q(determinant));
 }
@@ -610,7 +635,7 @@ With values alone, at as many nodes, the same idea gives Lagrange's functions.
 :zh: 过四点的三次 Lagrange 插值
 :printed: $P(t)=\sum_{i=0}^3f(t_i)g_i(t)$ with $g_i(t)=\prod_{j\ne i}\frac{t-t_j}{t_i-t_j}$, written out for $i=0,1,2,3$
 :holds-by: lagrange_functions_keep_every_polynomial
-:needs: equal_nodes_have_no_interpolant | four nodes are given | the four points are different
+:needs: two_equal_nodes_of_four_have_no_cubic | the words: four different points (四个不同的点) | the four points are different
 :figure: lagrange_blending_functions
 :degree: 3
 
