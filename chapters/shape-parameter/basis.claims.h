@@ -109,8 +109,8 @@ CLAIM(corrected_kernel_is_its_formula)
   are mirror images with linear factors and make the sum 1
 :corrected-by: two_digits_are_corrected mirror_images_with_sum_one_are_unique corrected_functions_sum_to_one
   corrected_functions_are_mirror_images functions_vanish_to_their_orders_at_the_ends beta_zero_gives_bernstein_polynomials
-  nonnegative_exactly_in_the_range derivative_of_a_function_factors each_function_rises_then_falls
-  linear_factor_adds_a_change_of_sign signs_of_the_slopes
+  nonnegative_exactly_in_the_range derivative_of_a_function_factors quadratic_factor_changes_its_sign_once
+  each_function_rises_then_falls first_function_falls_and_last_rises signs_of_the_slopes
 :confirmed-by: corrected_kernel_is_its_formula
 :figure: eight_functions
 :striking: 7
