@@ -362,7 +362,7 @@ CLAIM(a_combination_vanishes)
 /*
 :::{claim} two_functions_coincide
 :title: At beta = -7 the printed functions are linearly dependent, and two of the corrected ones are the same
-:zh: β=-7 时 B_3=B_4
+:zh: β=-7 时函数线性相关，修正后 B_3=B_4
 :kind: counterexample
 :data: β = -7; k, printed functions = 0 0 0 50/9 -10 5 1 0; k, corrected functions = 0 0 0 1 -1 0 0 0
 :instead: β = -6
@@ -802,11 +802,11 @@ CLAIM(beta_zero_gives_bernstein_polynomials)
 :title: The picture of the eight functions for beta = -1
 :zh: 图 1
 :printed: figure 1 shows the eight functions for $\beta=-1$
-:reading: printed_sum_in_closed_form | drawn from the formulas as printed: the sum is then $1+4(1-t)^3t^4$
-:reading: corrected_functions_sum_to_one | drawn from the corrected formulas
+:reading: that these functions, and which of the two, are drawn: the figure is not in the text that was examined, so that nothing is there to be
+  decided
+:reading: printed_sum_in_closed_form | the functions as printed, with the sum $1+4(1-t)^3t^4$ for $\beta=-1$
+:reading: corrected_functions_sum_to_one | the corrected functions, with the sum 1
 :figure: eight_functions
-
-The figure itself is not in the text that was examined.
 :::
 */
 #include "chapters/judge/claims_off.h"

@@ -305,7 +305,7 @@ falls, and has to rise again.
   printed functions
 :then: $\nu_2<0<\varphi_2$, so that $B_2$ falls from $B_2(0)=0$, rises and falls again to $B_2(1)=0$: one inner minimum,
   one inner maximum, and a local maximum at $t=0$; $\varphi_5<0<\nu_5$, so that $B_5$ rises from 0, falls and rises again to 0, with a
-  local maximum at $t=1$; for $i=1,3,4,6$ still $\nu_i,\varphi_i\ge0$ and not both $0$, so that function $i$ rises and then falls
+  local maximum at $t=1$; for all other $i$ with $0<i<n$ still $\nu_i,\varphi_i\ge0$ and not both $0$, so that function $i$ rises and then falls
 :method: Signs of linear polynomials in $\beta$ on the interval.  The quadratic factor for $i=2$ has at most two roots; it is negative for small
   $t>0$, as $i\nu_i$ is, and for $t$ near 1, as $-(n-i)\varphi_i$ is, and not negative everywhere between, because $B_2$ takes positive values near 1:
   two changes of sign.  For $i=5$ all signs are the other ones.
