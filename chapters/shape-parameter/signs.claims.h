@@ -185,9 +185,6 @@ CLAIM(derivative_of_a_function_factors)
 :title: Between 0 and 1 the quadratic factor changes its sign once, from plus to minus
 :zh: 二次因子在 (0,1) 内恰由正变负一次
 :given: integers $0<i<n$; $\nu,\varphi\ge0$, not both 0; $x=\frac ts>0$ and $h>0$
-:harmless: integers $0<i<n$ | for another $i$ the factor is linear
-:harmless: $\nu,\varphi\ge0$, not both 0 | that of a function it is so is decided by `each_function_rises_then_falls`
-:harmless: $x=\frac ts>0$ and $h>0$ | two values of $t/s$ for $t$ in $(0,1)$, in order
 :then: the factor divided by $st$, $g(x)=\frac{i\nu}x+(i+1)\varphi-(n+1-i)\nu-(n-i)\varphi x$, has $g(x)>g(x+h)$; at $t=\frac i{n+1}$ it is
   $\frac{n+1}{n+1-i}\varphi$, at $t=\frac{i+1}{n+1}$ it is $-\frac{n+1}{i+1}\nu$
 :method: $i$, $n-i$, $\nu$, $\varphi$, $x$, $h$ are positive variables; then one of $\nu$, $\varphi$ is 0.  The difference has coefficients of one
