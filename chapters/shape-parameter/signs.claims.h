@@ -222,7 +222,7 @@ CLAIM(quadratic_factor_changes_its_sign_once)
 /*
 :::{claim} each_function_rises_then_falls
 :title: In the true range each of the six inner functions rises and then falls
-:zh: -21/4≤β≤1 时单峰
+:zh: -21/4≤β≤1 时 B_1,…,B_6 单峰
 :kind: decision
 :data: range of β = -21/4 1
 :instead: range of β = -7 1
