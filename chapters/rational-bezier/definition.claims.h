@@ -556,7 +556,8 @@ CLAIM(growing_weight_pulls_each_point_straight_to_the_vertex)
 :where: $\omega\ne\omega^*$; the weights are positive
 :then: each curve has one point on the line $x=y$, that of $t=\frac12$, and there $x-x^*=\frac{\omega^*-\omega}{2(1+\omega)(1+\omega^*)}$
 :method: $\omega(t)(x-y)=1-2t$ at a variable $t$, and the two points; identities.
-:scope: n = 2
+:scope: n = 2, the points (1,0), (0,0), (0,1) with the weights 1, ω, 1
+:over: w#: ω
 :control: $1-t$ for $1-2t$
 :::
 */

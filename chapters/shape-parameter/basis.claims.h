@@ -109,8 +109,8 @@ CLAIM(corrected_kernel_is_its_formula)
   are mirror images with linear factors and make the sum 1
 :corrected-by: two_digits_are_corrected mirror_images_with_sum_one_are_unique corrected_functions_sum_to_one
   corrected_functions_are_mirror_images functions_vanish_to_their_orders_at_the_ends beta_zero_gives_bernstein_polynomials
-  nonnegative_exactly_in_the_range derivative_of_a_function_factors each_function_rises_then_falls
-  linear_factor_adds_a_change_of_sign signs_of_the_slopes
+  nonnegative_exactly_in_the_range derivative_of_a_function_factors quadratic_factor_changes_its_sign_once
+  each_function_rises_then_falls first_function_falls_and_last_rises signs_of_the_slopes
 :confirmed-by: corrected_kernel_is_its_formula
 :figure: eight_functions
 :striking: 7
@@ -362,7 +362,7 @@ CLAIM(a_combination_vanishes)
 /*
 :::{claim} two_functions_coincide
 :title: At beta = -7 the printed functions are linearly dependent, and two of the corrected ones are the same
-:zh: β=-7 时 B_3=B_4
+:zh: β=-7 时函数线性相关，修正后 B_3=B_4
 :kind: counterexample
 :data: β = -7; k, printed functions = 0 0 0 50/9 -10 5 1 0; k, corrected functions = 0 0 0 1 -1 0 0 0
 :instead: β = -6
@@ -802,11 +802,11 @@ CLAIM(beta_zero_gives_bernstein_polynomials)
 :title: The picture of the eight functions for beta = -1
 :zh: 图 1
 :printed: figure 1 shows the eight functions for $\beta=-1$
-:reading: printed_sum_in_closed_form | drawn from the formulas as printed: the sum is then $1+4(1-t)^3t^4$
-:reading: corrected_functions_sum_to_one | drawn from the corrected formulas
+:reading: that these functions, and which of the two, are drawn: the figure is not in the text that was examined, so that nothing is there to be
+  decided
+:reading: printed_sum_in_closed_form | the functions as printed, with the sum $1+4(1-t)^3t^4$ for $\beta=-1$
+:reading: corrected_functions_sum_to_one | the corrected functions, with the sum 1
 :figure: eight_functions
-
-The figure itself is not in the text that was examined.
 :::
 */
 #include "chapters/judge/claims_off.h"

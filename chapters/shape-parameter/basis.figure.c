@@ -5,9 +5,9 @@ FIGURE(eight_functions)
 {
     svg *s =
         svg_new("eight_functions", "The eight functions as printed and as corrected",
-                "The graphs of the eight functions for β = -5.  Left the printed ones: the third and the fourth from "
-                "the left in the middle are no mirror images, and the sum of all rises to more than 1.1.  Right the "
-                "corrected ones, symmetric and with sum 1.");
+                "The graphs of the eight functions for β = -5.  Left the printed ones: the fourth and the fifth, B₃ "
+                "and B₄, are no mirror images, and the sum of all rises to more than 1.1.  Right the corrected ones, "
+                "symmetric and with sum 1.");
     num_q near[8], far[8], a[8], beta = q(-5);
     for (int printed = 1; printed >= 0; printed--) {
         svg_panel(s, window(q(0), q(0), q(1), r(5, 4)), 380, 280, NULL);

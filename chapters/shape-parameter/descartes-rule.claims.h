@@ -367,7 +367,7 @@ CLAIM(one_change_of_sign_and_two_roots)
 :refuted-by: positive_coefficients_with_two_roots
 :class: false
 :corrected: for $k\ne0$ obvious where the functions are positive in $(0,1)$, which is for $-\frac{21}4\le\beta\le1$
-:corrected-by: nonnegative_exactly_in_the_range each_function_rises_then_falls
+:corrected-by: nonnegative_exactly_in_the_range each_function_rises_then_falls first_function_falls_and_last_rises
 :figure: roots_at_minus_seven
 
 No function is 0 in $(0,1)$ there: $\nu_i,\varphi_i\ge0$ are not both 0 for $0<i<7$, $B_0$ falls from 1 to 0, and $B_7$ is its mirror image.  With $k=0$ every $t$ is a

@@ -70,7 +70,8 @@ some line passes through 0.  At the left end this is $\nu_2$, and not $\nu_1$, w
 :given: all real $\beta$, a range of it, the printed and the corrected functions
 :then: all $\nu_i\ge0$, $\varphi_i\ge0$ in the range; $\nu_2<0$ for every smaller and $\varphi_0<0$ for every
   larger $\beta$
-:method: The sixteen factors are linear polynomials in $\beta$; their signs are decided on the interval, those of $\nu_2$ and
+:method: Function $i$ is $\nu_is+\varphi_it$ times powers that are positive in $(0,1)$, so it is nonnegative on $[0,1]$ exactly when both numbers
+  are.  The sixteen factors are linear polynomials in $\beta$; their signs are decided on the interval, those of $\nu_2$ and
   $\varphi_0$ on the two half-lines by their roots and slopes.
 :degrees: 7..7
 :scope: every real β
@@ -100,8 +101,9 @@ The derivative of function $i$, $1\le i\le n-1$, is $s^{n-i-1}t^{i-1}$ times
 
 $$i\,\nu_i\,s^2+\bigl((i+1)\varphi_i-(n+1-i)\nu_i\bigr)st-(n-i)\,\varphi_i\,t^2.$$
 
-By the rule of Descartes, in the form for the interval, its roots in $(0,1)$ are as many as the changes of sign in the
-three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, there is exactly one change, from plus to minus.
+Divided by $st$ it is a function of $t/s$ that falls when $\nu_i,\varphi_i\ge0$, not both $0$.  At $t=\frac i{n+1}$ the summand with
+$\nu_i$ has its own maximum and that with $\varphi_i$ still rises, at $t=\frac{i+1}{n+1}$ the first falls and the second has its maximum: the
+one maximum of the function is between these two.
 
 :::{statement} deng-zhang-2022:property-2.5
 :title: Each function has one local maximum
@@ -111,15 +113,13 @@ three coefficients, or two fewer.  With $\nu_i,\varphi_i\ge0$, not both $0$, the
 :class: false
 :corrected: for $-\frac{21}4\le\beta\le1$ each function, printed or corrected, has exactly one local maximum on $[0,1]$ and
   no inner local minimum; for $-7\le\beta<-\frac{21}4$ this is so for all but $B_2$ and $B_5$, which take negative values
-  and have one inner maximum and one at an end
-:corrected-by: derivative_of_a_function_factors each_function_rises_then_falls
-  third_function_falls_then_rises_below_the_range linear_factor_adds_a_change_of_sign
+  and have one inner maximum, one inner minimum and a maximum at an end
+:corrected-by: derivative_of_a_function_factors quadratic_factor_changes_its_sign_once each_function_rises_then_falls
+  third_function_falls_then_rises_below_the_range first_function_falls_and_last_rises
 :meant: the heading, one peak | Each function has exactly one local maximum on $[0,1]$.
 :reading: third_function_falls_then_rises_below_the_range | local maxima in the open interval only, for $i=1,\dots,6$ and
   $-7\le\beta<-\frac{21}4$: then each has one there, too
 :figure: negative_function
-
-$B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$.
 :::
 
 :::{statement} deng-zhang-2022:property-2.5-proof
@@ -130,17 +130,17 @@ $B_0$ falls and $B_7$ rises on $[0,1]$ for all $-7\le\beta\le1$.
 :class: invalid-proof
 :corrected: figure 1 has one value of $\beta$, $-1$, for which it is right; the derivatives verify it for
   $-\frac{21}4\le\beta\le1$ and refute it for $-7\le\beta<-\frac{21}4$
-:corrected-by: derivative_of_a_function_factors each_function_rises_then_falls
-  third_function_falls_then_rises_below_the_range linear_factor_adds_a_change_of_sign
+:corrected-by: derivative_of_a_function_factors quadratic_factor_changes_its_sign_once each_function_rises_then_falls
+  third_function_falls_then_rises_below_the_range first_function_falls_and_last_rises
 :figure: negative_function
 :::
 
 :::{claim} derivative_of_a_function_factors
 :title: The derivative is a product of powers and a quadratic polynomial
 :zh: 基函数导数的分解
-:given: any $\nu$ and $\varphi$, $F=(\nu s+\varphi t)s^{n-i}t^i$, $1\le i\le n-1$
-:then: $F'=s^{n-i-1}t^{i-1}\bigl(i\nu s^2+((i+1)\varphi-(n+1-i)\nu)st-(n-i)\varphi t^2\bigr)$; and for $i=0$,
-  $F'=s^{n-1}\bigl((\varphi-(n+1)\nu)s-n\varphi t\bigr)$
+:given: any $\nu$ and $\varphi$, $F=(\nu s+\varphi t)s^{n-i}t^i$, $0\le i\le n$
+:then: $F'=s^{n-i-1}t^{i-1}\bigl(i\nu s^2+((i+1)\varphi-(n+1-i)\nu)st-(n-i)\varphi t^2\bigr)$ for $1\le i\le n-1$; for $i=0$
+  $F'=s^{n-1}\bigl((\varphi-(n+1)\nu)s-n\varphi t\bigr)$, for $i=n$ $F'=t^{n-1}\bigl(n\nu s+((n+1)\varphi-\nu)t\bigr)$
 :method: The derivative of the Bézier polynomial with the two coefficients of $F$ against the products; $\nu$, $\varphi$
   and $t$ are variables.
 :degrees: 2..9 sampled 14
@@ -152,7 +152,7 @@ CLAIM(derivative_of_a_function_factors)
 {
     int n = T->degree;
     num near = unknown(T, "v", 0), far = unknown(T, "w", 0), t = parameter(T, "t"), s = sub(from_int(1), t);
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i <= n; i++) {
         num column[MAX_DEGREE + 2], D[2], value;
         for (int k = 0; k <= n + 1; k++)
             column[k] = from_int(0);
@@ -165,6 +165,10 @@ CLAIM(derivative_of_a_function_factors)
             /* F' = s^{n-1} ((φ - (n+1) ν) s - n φ t) */
             num first = sub(mul(from_int(up), far), mul(from_int(n + 1), near));
             value = mul(G(product_of_powers)(n - 1, 0, t), add(mul(first, s), mul(last, t)));
+        } else if (i == n) {
+            /* F' = t^{n-1} (n ν s + ((n+1) φ - ν) t) */
+            num first = mul(from_int(n), near), middle = sub(mul(from_int(up), far), near);
+            value = mul(G(product_of_powers)(0, n - 1, t), add(mul(first, s), mul(middle, t)));
         } else {
             /* F' = s^{n-i-1} t^{i-1} (i ν s² + ((i+1) φ - (n+1-i) ν) st - (n-i) φ t²) */
             num first = mul(from_int(i), near), middle = sub(mul(from_int(up), far), mul(from_int(n + 1 - i), near));
@@ -175,24 +179,60 @@ CLAIM(derivative_of_a_function_factors)
     }
 }
 
+#if FIELD || RATIONAL
+/*
+:::{claim} quadratic_factor_changes_its_sign_once
+:title: Between 0 and 1 the quadratic factor changes its sign once, from plus to minus
+:zh: 二次因子在 (0,1) 内恰由正变负一次
+:given: integers $0<i<n$; $\nu,\varphi\ge0$, not both 0; $x=\frac ts>0$ and $h>0$
+:then: the factor divided by $st$, $g(x)=\frac{i\nu}x+(i+1)\varphi-(n+1-i)\nu-(n-i)\varphi x$, has $g(x)>g(x+h)$; at $t=\frac i{n+1}$ it is
+  $\frac{n+1}{n+1-i}\varphi$, at $t=\frac{i+1}{n+1}$ it is $-\frac{n+1}{i+1}\nu$
+:method: $i$, $n-i$, $\nu$, $\varphi$, $x$, $h$ are positive variables; then one of $\nu$, $\varphi$ is 0.  The difference has coefficients of one
+  sign, the two values are identities.  A function that falls, is not negative at one place and not positive at a later one, changes its
+  sign once from the one to the other.
+:types: field rational
+:degrees: all from 2
+:over: i j: -; v w: linear factor; x h: -
+:control: $x$ and $x+h$ exchanged
+:::
+*/
+CLAIM(quadratic_factor_changes_its_sign_once)
+{
+    num i = positive(T, "i", ALONE), j = positive(T, "j", ALONE), x = positive(T, "x", ALONE),
+        h = positive(T, "h", ALONE);
+    num one = from_int(1), zero = from_int(0), next = add(i, one), before = add(j, one), n_and_one = add(i, before);
+    for (int left_out = 0; left_out <= 2; left_out++) { /* neither; ν; φ */
+        num near = left_out == 1 ? zero : positive(T, "v", 0), far = left_out == 2 ? zero : positive(T, "w", 0);
+        num at[4] = {fault(T, x, add(x, h)), fault(T, add(x, h), x), div(i, before), div(next, j)}, g[4];
+        for (int k = 0; k < 4; k++) {
+            /* g(x) = i ν/x + (i+1) φ - (n+1-i) ν - (n-i) φ x */
+            num constant = sub(mul(next, far), mul(before, near));
+            g[k] = add(div(mul(i, near), at[k]), sub(constant, mul(mul(j, far), at[k])));
+        }
+        about(T, "how much the quotient falls");
+        G(must_be_positive)(T, sub(g[0], g[1]));
+        about(T, "its values at t = i/(n+1) and (i+1)/(n+1)");
+        same(T, g[2], div(mul(n_and_one, far), before));
+        same(T, g[3], neg(div(mul(n_and_one, near), next)));
+    }
+}
+#endif
+
 #if RATIONAL
 /*
 :::{claim} each_function_rises_then_falls
-:title: In the true range every function rises and then falls
-:zh: -21/4≤β≤1 时单峰
+:title: In the true range each of the six inner functions rises and then falls
+:zh: -21/4≤β≤1 时 B_1,…,B_6 单峰
 :kind: decision
-:data: range of β = -21/4 1; range of β for B_0 = -7 1
+:data: range of β = -21/4 1
 :instead: range of β = -7 1
-:given: the true range of $\beta$, for the first function the printed one; the printed and the corrected functions
-:then: for $0<i<n$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative
-  has one change of sign, from plus to minus; for $i=0$ its linear factor has $\varphi_0-(n+1)\nu_0\le0$ and
-  $-n\varphi_0\le0$ in the printed range, not both $0$, so that $B_0$ falls; $B_7$ is its mirror image
-:method: The signs of linear polynomials in $\beta$, decided on the interval.  For $\nu_i=0$ the coefficients are
-  $0,(i+1)\varphi_i,-(n-i)\varphi_i$, for $\varphi_i=0$ they are $i\nu_i,-(n+1-i)\nu_i,0$: still one change, or none and a
-  root at 1.
+:given: the true range of $\beta$, the printed and the corrected functions
+:then: for $0<i<n$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative changes its sign once
+  in $(0,1)$, from plus to minus; function $i$, which is 0 at both ends, rises and then falls
+:method: The signs of linear polynomials in $\beta$, decided on the interval.
 :degrees: 7..7
 :scope: −21/4 ≤ β ≤ 1
-:control: the printed range for all functions
+:control: the printed range
 :::
 */
 CLAIM(each_function_rises_then_falls)
@@ -200,8 +240,6 @@ CLAIM(each_function_rises_then_falls)
     num range[2];
     given_points(T, "range of β", 2, 1, range);
     num low = range[0], high = range[1];
-    num wide[2];
-    given_points(T, "range of β for B_0", 2, 1, wide);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
         poly near[8], far[8];
         G(factors_in_beta)(printed_ones, 7, near, far);
@@ -209,18 +247,53 @@ CLAIM(each_function_rises_then_falls)
             agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));
             agree(T, sign_on(poly_add(near[i], far[i]), low, high, CLOSED) == SIGN_POSITIVE);
         }
-        poly first = poly_sub(far[0], poly_scale(near[0], from_int(8)));
-        agree(T, is_nonnegative_on(poly_neg(first), wide[0], wide[1]) && is_nonnegative_on(far[0], wide[0], wide[1]));
-        agree(T, sign_on(poly_sub(far[0], first), wide[0], wide[1], CLOSED) == SIGN_POSITIVE);
     }
 }
 
 /*
-Below the true range the argument breaks for $i=2$ and its mirror image $i=5$ alone: $\nu_2$ is negative, and there are two
-changes of sign.  The function then begins with 0, falls, and has to rise again.
+The first and the last function need less: the factor of their derivative is linear, and its two values have one sign in all of the
+printed range.
+
+:::{claim} first_function_falls_and_last_rises
+:title: In the printed range the first function falls and the last one rises
+:zh: -7≤β≤1 时 B_0 递减、B_7 递增
+:kind: decision
+:data: range of β = -7 1
+:instead: range of β = -8 1
+:given: the printed range of $\beta$, the printed and the corrected functions, $n=7$
+:then: $\varphi_0-(n+1)\nu_0\le0$ and $-n\varphi_0\le0$, not both 0, so that the linear factor of the derivative is negative in $(0,1)$ and
+  $B_0$ falls from 1 to 0; $n\nu_n\ge0$ and $(n+1)\varphi_n-\nu_n\ge0$, not both 0, so that $B_n$ rises from 0 to 1
+:method: The signs of linear polynomials in $\beta$, decided on the interval.
+:degrees: 7..7
+:scope: −7 ≤ β ≤ 1
+:control: a range that begins 1 below
+:::
+*/
+CLAIM(first_function_falls_and_last_rises)
+{
+    num range[2], minus_seven = from_int(-7), eight = from_int(8);
+    given_points(T, "range of β", 2, 1, range);
+    num low = range[0], high = range[1];
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        poly near[8], far[8];
+        G(factors_in_beta)(printed_ones, 7, near, far);
+        poly falls[2] = {poly_sub(far[0], poly_scale(near[0], eight)), poly_scale(far[0], minus_seven)};
+        poly rises[2] = {poly_scale(near[7], from_int(7)), poly_sub(poly_scale(far[7], eight), near[7])};
+        agree(T, is_nonnegative_on(poly_neg(falls[0]), low, high) && is_nonnegative_on(poly_neg(falls[1]), low, high));
+        agree(T, sign_on(poly_add(falls[0], falls[1]), low, high, CLOSED) == SIGN_NEGATIVE);
+        agree(T, is_nonnegative_on(rises[0], low, high) && is_nonnegative_on(rises[1], low, high));
+        agree(T, sign_on(poly_add(rises[0], rises[1]), low, high, CLOSED) == SIGN_POSITIVE);
+        agree(T, sign_on(near[0], low, high, CLOSED) == SIGN_POSITIVE &&
+                     sign_on(far[7], low, high, CLOSED) == SIGN_POSITIVE);
+    }
+}
+
+/*
+Below the true range the argument breaks for $i=2$ and $i=5$ alone: $\nu_2$ and $\varphi_5$ are negative.  Function 2 then begins with 0,
+falls, and has to rise again.
 
 :::{claim} third_function_falls_then_rises_below_the_range
-:title: Below the range two of the six inner functions have an inner minimum too, the others have one inner maximum alone
+:title: Below the range two of the six inner functions have an inner minimum too, the other four one inner maximum alone
 :zh: -7≤β<-21/4 时的极值
 :kind: decision
 :data: range of β = -7 -21/4
@@ -228,11 +301,11 @@ changes of sign.  The function then begins with 0, falls, and has to rise again.
 :given: the part of the printed range of $\beta$ that is below the true one, without its right end; the corrected and the
   printed functions
 :then: $\nu_2<0<\varphi_2$, so that $B_2$ falls from $B_2(0)=0$, rises and falls again to $B_2(1)=0$: one inner minimum,
-  one inner maximum, and a local maximum at $t=0$; for all other $i$ with $0<i<n$ but $i=5$ still $\nu_i,\varphi_i\ge0$
-  and not both $0$
-:method: Signs of linear polynomials on the closed interval.  The coefficients of the quadratic factor for $i=2$ are
-  $i\nu_i<0$, $(i+1)\varphi_i-(n+1-i)\nu_i>0$, $-(n-i)\varphi_i<0$: none or two roots, and two because $B_2$ takes both
-  signs and vanishes at both ends.  $B_5$ is the mirror image.
+  one inner maximum, and a local maximum at $t=0$; $\varphi_5<0<\nu_5$, so that $B_5$ rises from 0, falls and rises again to 0, with a
+  local maximum at $t=1$; for all other $i$ with $0<i<n$ still $\nu_i,\varphi_i\ge0$ and not both $0$, so that function $i$ rises and then falls
+:method: Signs of linear polynomials in $\beta$ on the interval.  The quadratic factor for $i=2$ has at most two roots; it is negative for small
+  $t>0$, as $i\nu_i$ is, and for $t$ near 1, as $-(n-i)\varphi_i$ is, and not negative everywhere between, because $B_2$ takes positive values near 1:
+  two changes of sign.  For $i=5$ all signs are the other ones.
 :degrees: 7..7
 :scope: −7 ≤ β < −21/4
 :control: an interval that reaches into the true range
@@ -248,6 +321,8 @@ CLAIM(third_function_falls_then_rises_below_the_range)
         G(factors_in_beta)(printed_ones, 7, near, far);
         agree(T, sign_on(near[2], low, high, OPEN_RIGHT) == SIGN_NEGATIVE);
         agree(T, sign_on(far[2], low, high, CLOSED) == SIGN_POSITIVE);
+        agree(T, sign_on(near[5], low, high, CLOSED) == SIGN_POSITIVE);
+        agree(T, sign_on(far[5], low, high, OPEN_RIGHT) == SIGN_NEGATIVE);
         for (int i = 1; i <= 6; i++)
             if (i != 2 && i != 5) {
                 agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));

@@ -23,7 +23,8 @@ the range from $-\frac{21}4$ to 1.
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`) $\beta$ moves each inner Bézier point $Q_k$ of degree 8, $k=1,\dots,7$, but the middle one, $Q_4$,
-  which stays, on the line of its edge $P_{k-1}P_k$, and each point of the curve on a straight line, evenly or not at all; if the polygon is convex and turns by at most two right angles, outward for $-\frac72\le\beta\le1$
+  which stays, evenly on the line of its edge $P_{k-1}P_k$, if this is not 0, and each point of the curve on a straight line, evenly or not at all;
+  if the polygon is convex and turns by at most two right angles, these move outward or stay while $\beta$ grows from $-\frac72$ to 1
 :corrected-by: bezier_points_divide_the_edges points_move_evenly_with_beta curve_is_a_blend_of_three_points
   turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
 :confirmed-by: growing_beta_pushes_by_the_turns
@@ -37,7 +38,7 @@ Outward has the sense of `property-3.5`.
 :title: The curve has the features of the Bézier curve of degree seven
 :zh: 具有七次 Bezier 曲线的特征
 :printed: end properties, tangency to the end edges, convex hull, symmetry and variation diminution hold as for the Bézier
-  curve of degree seven, $-7\le\beta\le1$
+  curve of degree seven (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
   edge_is_not_tangent_at_minus_seven
 :class: false
@@ -103,7 +104,7 @@ Adjustable as a parametrized curve; sets of points are not compared.
 
 :::{statement} deng-zhang-2022:sec-1-unique
 :title: Control points and Bernstein polynomials leave no freedom
-:zh: 控制顶点与 Bernstein 基唯一确定 Bezier 曲线
+:zh: 控制顶点与 Bernstein 基唯一确定 Bezier 曲线曲面
 :printed: once the control points and the Bernstein basis are given, the Bézier curve or surface is uniquely determined; to change the shape of the curve one has
   to adjust its control points
 :holds-by: decasteljau_evaluates_bezier_curve
@@ -127,7 +128,7 @@ As a parametrized curve of the same degree that of other points is another one (
 :reading: linear_factor_adds_a_change_of_sign | crossings, counted along both
 :reading: self_crossing_polygon_has_fewer_points_on_a_line | common points counted as points of the plane: a polygon that crosses itself on the
   line may have fewer than its Bézier curve
-:hypothesis: double_end_point_has_no_end_edge | the end edges are not 0: for the tangency
+:hypothesis: double_end_point_has_no_end_edge | the end edges are not 0, for the tangency
 :figure: end_edges
 :::
 
@@ -216,16 +217,16 @@ CLAIM(second_volume_is_of_the_second_year)
 :zh: 文献 [11] 的曲线次数过高
 :printed: for a polygon of $n+1$ points [11] uses Bernstein polynomials of degree $m=l(n-1)+1$; the geometric meaning of $l$ is vague, and
   the degree is too high for computing
-:reading: degree_with_the_parameter_exceeds_that_of_the_polygon | the degree $m$ exceeds that of a polygon of $n+1$ points: for
-  $l,n>1$ by $(l-1)(n-1)$
+:reading: degree_with_the_parameter_exceeds_that_of_the_polygon | for $l,n>1$ the degree $m$ exceeds $n$, that of the Bézier curve of $n+1$ points, by
+  $(l-1)(n-1)$
 :reading: that [11] has this degree, that its parameter is vague and its degree too high: no computation decides it, and [11] is not at hand
 :::
 
 :::{claim} degree_with_the_parameter_exceeds_that_of_the_polygon
-:title: The degree with the parameter l exceeds that of the polygon by a product
+:title: The degree with the parameter l exceeds that of the Bézier curve by a product
 :zh: m-n=(l-1)(n-1)
 :given: any $n$ and $l$, $m=l(n-1)+1$
-:then: $m-n=(l-1)(n-1)$, which is 0 for $l=1$ and positive for $l,n>1$
+:then: $m-n=(l-1)(n-1)$, which is 0 for $l=1$ or $n=1$ and positive for $l,n>1$
 :method: An identity in $n$ and $l$.
 :degrees: all
 :over: n: -; l

@@ -36,8 +36,9 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 :zh: 图 3 花瓣图形
 :printed: figure 3 shows the petals (花瓣图形) of the closed curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that they look like petals: the polygon is not given, so that nothing is there to be decided
-:reading: printed_points_move_evenly_with_beta | for any polygon the points of one $t$ on the nine curves are on a straight line in equal
-  distances; which polygon it is, is not said
+:reading: printed_points_move_evenly_with_beta | with the printed functions, for any polygon, the points of one $t$ on the nine curves are on a
+  straight line in equal distances; which polygon it is, is not said
+:reading: points_move_evenly_with_beta | the same with the corrected functions
 :figure: petals
 :::
 
@@ -125,15 +126,19 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :printed: it can be proved that the surface has geometric properties similar to those of the curve
 :refuted-by: printed_surface_leaves_a_single_point surface_leaves_the_hull_at_minus_seven
 :class: false
-:corrected: corners and boundary curves as printed; with the corrected functions (`sec-2-properties`) symmetry and affine maps for every
+:corrected: with the printed functions as with the corrected ones (`sec-2-properties`) the corners are $P_{00},P_{07},P_{70},P_{77}$ and the border
+  curves those of the first and last row and column; the derivative by $u$ is $(7+\beta)\sum_j(P_{1j}-P_{0j})B_{j,7}(v)$ at $u=0$ and
+  $(7+\beta)\sum_j(P_{7j}-P_{6j})B_{j,7}(v)$ at $u=1$, and likewise that by $v$; with the corrected ones symmetry and affine maps for every
   $\beta$, the convex hull for $-\frac{21}4\le\beta\le1$
-:corrected-by: functions_vanish_to_their_orders_at_the_ends corrected_functions_are_mirror_images
+:corrected-by: functions_vanish_to_their_orders_at_the_ends surface_derivatives_across_the_border corrected_functions_are_mirror_images
   surface_functions_sum_to_one nonnegative_exactly_in_the_range
 :confirmed-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
   net_of_straight_lines_gives_a_saddle
 :reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows
   and columns are: they may all be straight and the surface be a saddle, for every $\beta$
   (`net_of_straight_lines_gives_a_saddle`)
+:reading: larger_beta_takes_the_curve_away_from_its_polygon | approximation of the net (property 3.5): where its eight columns are one polygon,
+  the surface is the curve of this polygon for $\beta=0$, and for $\beta=1$ has that curve as its border $v=0$
 :reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say
   what they are for a net, so that nothing is there to be decided
 :meant: the word "similar", after the properties of section 3 | The properties that section 3 prints for the curve,
@@ -146,8 +151,8 @@ A function of the surface is a product $B_i(u)B_j(v)$.  At $u=0$ all $B_i(u)$ bu
 curve of the first row; mirror images, the sum 1 (with it affine maps) and the sign pass from the factors to the products.
 :::
 
-The statement names no property, so what section 3 prints for the curve is taken one by one.  Symmetry and corners pass to
-the surface with the corrected functions.  The two counterexamples are those of the curve, multiplied: 64 equal points ask
+The statement names no property, so what section 3 prints for the curve is taken one by one.  What is at the ends of the curve is at the
+border of the surface; symmetry passes to it with the corrected functions.  The two counterexamples are those of the curve, multiplied: 64 equal points ask
 for the sum, a net with one row different from 0 for a sign.
 
 :::{claim} reversed_net_reverses_the_surface
@@ -292,6 +297,44 @@ CLAIM(surface_has_the_corner_points_and_boundary_curves)
 }
 
 /*
+:::{claim} surface_derivatives_across_the_border
+:title: The derivatives of the surface across two of its border curves
+:zh: 曲面在边界处的跨界导矢
+:given: degrees 7 and 7, any points, one coordinate of each, any $\beta$ and $v$; printed and corrected functions
+:then: the derivative by $u$ is $(7+\beta)\sum_j(P_{1j}-P_{0j})B_j(v)$ at $u=0$, $(7+\beta)\sum_j(P_{7j}-P_{6j})B_j(v)$ at $u=1$
+:method: For fixed $v$ the surface is the curve of the points $\sum_jP_{ij}B_j(v)$; its derivatives by the Bézier points of degree 8, the functions of the
+  other side by the formulas; everything a variable.  The surface is the same in both directions.
+:degrees: 7..7
+:control: 7 in the place of $7+\beta$
+:::
+*/
+CLAIM(surface_derivatives_across_the_border)
+{
+    num P[8 * 8], B[8], row[8], Q[9], D[2], beta = G(any_beta)(T), v = parameter(T, "v"), seven = from_int(7);
+    for (int m = 0; m < 8 * 8; m++)
+        P[m] = unknown(T, "z", m);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        G(functions_of)(printed_ones, 7, beta, v, B);
+        for (int i = 0; i <= 7; i++) {
+            row[i] = from_int(0);
+            for (int j = 0; j <= 7; j++)
+                row[i] = add(row[i], mul(P[i * 8 + j], B[j]));
+        }
+        G(bezier_points_of)(printed_ones, 7, 1, row, beta, Q);
+        for (int end = 0; end <= 1; end++) {
+            int i = end ? 6 : 0;
+            num sum = from_int(0);
+            for (int j = 0; j <= 7; j++) {
+                num function = printed_ones ? G(printed)(j, beta, v) : G(corrected)(7, j, beta, v);
+                sum = add(sum, mul(sub(P[(i + 1) * 8 + j], P[i * 8 + j]), function));
+            }
+            G(bezier_derivatives)(8, 1, Q, from_int(end), 1, D);
+            same(T, D[1], mul(fault(T, add(seven, beta), seven), sum));
+        }
+    }
+}
+
+/*
 :::{claim} surface_functions_sum_to_one
 :title: The products of functions add up to one
 :zh: 曲面基函数的权性
@@ -394,9 +437,9 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
 :zh: 形状可调的曲面
 :printed: the tensor product gives a surface whose shape can be adjusted
 :holds-by: nets_that_do_not_move
-:hypothesis: surface_that_does_not_move | not constant on four blocks with the corrected functions, and not $k_ik_jv$ with the printed
-  ones: these nets $P_{ij}$, the blocks being $i,j\le3$, $i\le3<j$, $j\le3<i$ and $i,j\ge4$, $k=(0,0,0,0,5,1,1,1)$ and $v$ anything, have one surface for
-  all $\beta$
+:hypothesis: surface_that_does_not_move | the net is not constant on four blocks, with the corrected functions, and not $k_ik_jw$, with the printed
+  ones: these nets $P_{ij}$, the blocks being $i,j\le3$, $i\le3<j$, $j\le3<i$ and $i,j\ge4$, $k=(0,0,0,0,5,1,1,1)$ and $w$ any vector, have one
+  surface for all $\beta$
 :figure: shape_surface
 
 One $\beta$ is taken in both directions.  Decided is that the surface, with its parameters, is not the same for all $\beta$; single
@@ -516,9 +559,12 @@ number type that counts its operations.
 :zh: 海纳算法
 :printed: the curve takes more computation than the Bézier curve of degree seven, and can be computed by Horner's rule
 :holds-by: horner_rule_computes_the_curve degree_eight_takes_more_operations
-:hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed by de Casteljau's algorithm, or both by Horner's rule
+:hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed from their Bézier points, both by de
+  Casteljau's algorithm or both by Horner's rule: from nine points and from eight
 :figure: operations_for_a_point
 :degree: 7
+
+What it takes to find the nine points is not counted.
 :::
 
 :::{claim} horner_rule_computes_the_curve
