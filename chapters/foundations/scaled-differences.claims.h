@@ -100,6 +100,8 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
   $\frac1{\delta^3}\Delta^3P_1=\frac1{\delta^3}\Delta^3P_0$
 :holds-by: printed_lines_step_a_cubic
 :confirmed-by: step_takes_differences_to_the_next_place
+:meant: the sentence before, by which additions lead from $t=0$ to $\delta,2\delta,\dots$ one after the other | $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at
+  $t=\delta$, not at the $t=i\delta$ that is printed for them.
 :figure: forward_differences
 :::
 
