@@ -574,7 +574,7 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 :instead: U = (3,3) (3,-3)
 :then: the first curve is above its chord for $0<t<1$; the second one is above it at the first $t$ and below it at the second
 :result: y of the second = 9/32 -9/32
-:method: The squares of the lengths; the sign of $y$ on $(0,1)$ by root counts, and its values.
+:method: The tangents, and the squares of their lengths; the sign of $y$ on $(0,1)$ by root counts, and its values.
 :control: the same tangents
 :::
 */
@@ -590,6 +590,8 @@ CLAIM(other_directions_give_another_form)
     about(T, "the lengths");
     for (int end = 0; end < 2; end++)
         same(T, G(norm_squared)(dim, V + 2 * end), G(norm_squared)(dim, U + 2 * end));
+    about(T, "whether the first tangent is the same and the last one is turned");
+    agree(T, equal_q(V[0], U[0]) && equal_q(V[1], U[1]) && !is_zero_q(G(cross2)(V + 2, U + 2)));
     poly height = poly_from_q(4, (num[]){c[1], c[3], c[5], c[7]});
     for (int k = 0; k < 2; k++)
         y[k] = G(power_sum)(3, dim, e, 1, t[k]);

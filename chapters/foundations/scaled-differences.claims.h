@@ -21,8 +21,8 @@ step, which makes them as large as the coefficients, and begins the table with t
 :zh: 高阶差分已相当小
 :printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have become rather small.
 :holds-by: third_difference_loses_three_bytes
-:meant: the next line, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, so that their digits are
-  not lost | Against the coefficients of the curve the differences are small.
+:meant: the next line, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, which are then
+  of the size of the coefficients | Against the coefficients of the curve the differences are small.
 :reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0
 :reading: third_difference_loses_three_bytes | from the third on, against the coefficients: $6A/2^{24}$
 :reading: third_difference_exceeds_the_first | from the third on, against the differences before it

@@ -501,7 +501,7 @@ CLAIM(error_for_four_is_as_printed)
 ## Does the second way close?
 
 The source says only of the first way that it does not close.  The ellipse of the second way is a closed curve, and the
-points stay on it for ever; but they never come back to where they were.
+points stay on it for ever; but from any first point except the origin they never come back to where they were.
 */
 
 #if RATIONAL
@@ -510,7 +510,8 @@ points stay on it for ever; but they never come back to where they were.
 :title: The orbit of the second way never returns to its first point
 :zh: 第二种方法的点列永不重复
 :kind: decision
-:given: $\varepsilon=2^{-m}$, $m=1,\dots,M$; traces $V_k$ of $T^k$ for $k=1,\dots,K$, $V_{k+1}=(2-\varepsilon^2)V_k-V_{k-1}$, $V_0=2$
+:given: $\varepsilon=2^{-m}$, $m=1,\dots,M$; traces $V_k$ of $T^k$ for $k=1,\dots,K$, $V_{k+1}=(2-\varepsilon^2)V_k-V_{k-1}$, $V_0=2$; a first point $P_0\ne(0,0)$
+:where: $P_0\ne(0,0)$
 :data: M = 6; K = 48
 :then: $2^{2mk}V_k$ is an odd integer; so $V_k\ne2$.  A point that returned after $k$ steps would belong to
   the eigenvalue 1 of $T^k$; the other one would be 1, too, because $\det T=1$, and their sum $V_k$ would be 2
