@@ -28,21 +28,41 @@ what the lengths of the velocities do.
 :title: The coefficients meet the data at the ends, and are the only ones
 :zh: 端点数据与系数一一对应
 :given: any $Q_0,\dot Q_0,Q_1,\dot Q_1$ of space
-:then: with the four coefficients $P(0)=Q_0$, $P'(0)=\dot Q_0$, $P(1)=Q_1$, $P'(1)=\dot Q_1$; and the data of any cubic give back its
+:let: $A=2(Q_0-Q_1)+\dot Q_0+\dot Q_1$, $B=3(Q_1-Q_0)-2\dot Q_0-\dot Q_1$, $C=\dot Q_0$, $D=Q_0$
+:then: for $P(t)=At^3+Bt^2+Ct+D$ is $P(0)=Q_0$, $P'(0)=\dot Q_0$, $P(1)=Q_1$, $P'(1)=\dot Q_1$; and the data of any cubic give back its
   coefficients
-:method: Both ways round with everything a variable: values and derivatives by the definition.
+:method: Both ways round with everything a variable: the coefficients term by term as they stand here, values and derivatives by the definition.  The
+  coefficients that the other claims compute with are compared, too.
 :over: q#: end points; v#: end tangents; x# y# z#: coefficients
 :control: $\dot Q_1$ left out of $B$
 :::
 */
+/* D, C, B, A for the ends Q and the derivatives V there, term by term. */
+static void G(coefficients_of_ends)(const num Q[], const num V[], num c[])
+{
+    num two = from_int(2), three = from_int(3);
+    for (int j = 0; j < space; j++) {
+        num Q0 = Q[j], Q1 = Q[space + j], V0 = V[j], V1 = V[space + j];
+        c[j] = Q0;
+        c[space + j] = V0;
+        c[2 * space + j] = sub(sub(mul(three, sub(Q1, Q0)), mul(two, V0)), V1); /* B = 3(Q_1 - Q_0) - 2V_0 - V_1 */
+        c[3 * space + j] = add(add(mul(two, sub(Q0, Q1)), V0), V1);             /* A = 2(Q_0 - Q_1) + V_0 + V_1 */
+    }
+}
+
 CLAIM(end_data_determine_the_cubic)
 {
-    num Q[2 * space], V[2 * space], c[4 * space], given[4 * space];
+    num Q[2 * space], V[2 * space], c[4 * space], others[4 * space], given[4 * space];
     for (int m = 0; m < 2 * space; m++) {
         Q[m] = unknown(T, "q", m);
         V[m] = unknown(T, "v", m);
     }
-    G(cubic_of_ends)(space, Q, V, c);
+    G(coefficients_of_ends)(Q, V, c);
+    G(cubic_of_ends)(space, Q, V, others);
+    about(T, "the coefficients of the other claims");
+    for (int m = 0; m < 4 * space; m++)
+        same(T, others[m], c[m]);
+    about(T, "the data from the coefficients");
     for (int j = 0; j < space; j++)
         c[2 * space + j] = fault(T, c[2 * space + j], add(c[2 * space + j], V[space + j]));
     for (int end = 0; end < 2; end++)
@@ -50,13 +70,14 @@ CLAIM(end_data_determine_the_cubic)
             same(T, G(power_sum)(3, space, c, j, from_int(end)), Q[end * space + j]);
             same(T, G(power_sum_derivative)(3, space, c, j, 1, from_int(end)), V[end * space + j]);
         }
+    about(T, "the coefficients from the data");
     G(free_points)(T, 3, space, given);
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < space; j++) {
             Q[end * space + j] = G(power_sum)(3, space, given, j, from_int(end));
             V[end * space + j] = G(power_sum_derivative)(3, space, given, j, 1, from_int(end));
         }
-    G(cubic_of_ends)(space, Q, V, c);
+    G(coefficients_of_ends)(Q, V, c);
     for (int m = 0; m < 4 * space; m++)
         same(T, c[m], given[m]);
 }

@@ -26,7 +26,7 @@ torsion is a single number, which vanishes exactly when the cubic is plane.
 :zh: 用速率与曲率表示挠率
 :given: any three vectors $\dot P,\ddot P,\dddot P$ of space, $\dot P\times\ddot P\ne0$
 :where: $\dot P\times\ddot P\ne0$
-:then: $\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}=\frac{[\dot P\,\ddot P\,\dddot P]}{|\dot P\times\ddot P|^2}$, the torsion, with $\dot s^2=|\dot P|^2$ and
+:then: $\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}=\frac{[\dot P\,\ddot P\,\dddot P]}{|\dot P\times\ddot P|^2}=\tau$, the torsion, with $\dot s^2=|\dot P|^2$ and
   $K^2=\frac{|\dot P\times\ddot P|^2}{|\dot P|^6}$
 :method: The kernels for the square of the curvature and for the torsion, everything a variable.
 :over: u# v# w#: derivatives
