@@ -17,7 +17,7 @@ what the lengths of the velocities do.
 :::{statement} hu-1987:1-4-hermite-determined
 :title: Points and tangents at both ends determine the cubic
 :zh: 端点位置与切矢确定三次曲线
-:printed: If the position vector and the tangent vector are given at $t=0$ and at $t=1$, the curve is completely determined.
+:printed: If of a parametric cubic the position vector and the tangent vector are given at $t=0$ and at $t=1$, the curve is completely determined.
 :holds-by: end_data_determine_the_cubic
 :figure: lengths_of_the_tangents
 :::
@@ -28,21 +28,41 @@ what the lengths of the velocities do.
 :title: The coefficients meet the data at the ends, and are the only ones
 :zh: 端点数据与系数一一对应
 :given: any $Q_0,\dot Q_0,Q_1,\dot Q_1$ of space
-:then: with the four coefficients $P(0)=Q_0$, $P'(0)=\dot Q_0$, $P(1)=Q_1$, $P'(1)=\dot Q_1$; and the data of any cubic give back its
+:let: $A=2(Q_0-Q_1)+\dot Q_0+\dot Q_1$, $B=3(Q_1-Q_0)-2\dot Q_0-\dot Q_1$, $C=\dot Q_0$, $D=Q_0$
+:then: for $P(t)=At^3+Bt^2+Ct+D$ is $P(0)=Q_0$, $P'(0)=\dot Q_0$, $P(1)=Q_1$, $P'(1)=\dot Q_1$; and the data of any cubic give back its
   coefficients
-:method: Both ways round with everything a variable: values and derivatives by the definition.
+:method: Both ways round with everything a variable: the coefficients term by term as they stand here, values and derivatives by the definition.  The
+  coefficients that the other claims compute with are compared, too.
 :over: q#: end points; v#: end tangents; x# y# z#: coefficients
 :control: $\dot Q_1$ left out of $B$
 :::
 */
+/* D, C, B, A for the ends Q and the derivatives V there, term by term. */
+static void G(coefficients_of_ends)(const num Q[], const num V[], num c[])
+{
+    num two = from_int(2), three = from_int(3);
+    for (int j = 0; j < space; j++) {
+        num Q0 = Q[j], Q1 = Q[space + j], V0 = V[j], V1 = V[space + j];
+        c[j] = Q0;
+        c[space + j] = V0;
+        c[2 * space + j] = sub(sub(mul(three, sub(Q1, Q0)), mul(two, V0)), V1); /* B = 3(Q_1 - Q_0) - 2V_0 - V_1 */
+        c[3 * space + j] = add(add(mul(two, sub(Q0, Q1)), V0), V1);             /* A = 2(Q_0 - Q_1) + V_0 + V_1 */
+    }
+}
+
 CLAIM(end_data_determine_the_cubic)
 {
-    num Q[2 * space], V[2 * space], c[4 * space], given[4 * space];
+    num Q[2 * space], V[2 * space], c[4 * space], others[4 * space], given[4 * space];
     for (int m = 0; m < 2 * space; m++) {
         Q[m] = unknown(T, "q", m);
         V[m] = unknown(T, "v", m);
     }
-    G(cubic_of_ends)(space, Q, V, c);
+    G(coefficients_of_ends)(Q, V, c);
+    G(cubic_of_ends)(space, Q, V, others);
+    about(T, "the coefficients of the other claims");
+    for (int m = 0; m < 4 * space; m++)
+        same(T, others[m], c[m]);
+    about(T, "the data from the coefficients");
     for (int j = 0; j < space; j++)
         c[2 * space + j] = fault(T, c[2 * space + j], add(c[2 * space + j], V[space + j]));
     for (int end = 0; end < 2; end++)
@@ -50,13 +70,14 @@ CLAIM(end_data_determine_the_cubic)
             same(T, G(power_sum)(3, space, c, j, from_int(end)), Q[end * space + j]);
             same(T, G(power_sum_derivative)(3, space, c, j, 1, from_int(end)), V[end * space + j]);
         }
+    about(T, "the coefficients from the data");
     G(free_points)(T, 3, space, given);
     for (int end = 0; end < 2; end++)
         for (int j = 0; j < space; j++) {
             Q[end * space + j] = G(power_sum)(3, space, given, j, from_int(end));
             V[end * space + j] = G(power_sum_derivative)(3, space, given, j, 1, from_int(end));
         }
-    G(cubic_of_ends)(space, Q, V, c);
+    G(coefficients_of_ends)(Q, V, c);
     for (int m = 0; m < 4 * space; m++)
         same(T, c[m], given[m]);
 }
@@ -314,7 +335,7 @@ If the shape is the set of the points, where it is, the first hypothesis is enou
 :title: The cubic of other lengths leaves the first cubic
 :zh: 切矢长度不同的三次曲线不重合
 :types: rational
-:given: random ends and directions that are not all parallel, two different pairs of lengths, one of them or both different
+:given: random ends and directions that are not all parallel, two different pairs of lengths, one of them or both different, longer or shorter
 :where: the ends and directions are not all parallel; the two pairs of lengths are different
 :then: the second curve is not contained in the implicit equation of the first
 :method: The equation by Bézout's determinant, at ten points of the second curve, at one of which it is not satisfied.
@@ -340,7 +361,8 @@ CLAIM(other_lengths_give_another_cubic)
     for (int m = 0; m < 2 * dim; m++)
         Q[m] = unknown(T, "q", m);
     for (int end = 0; end < 2; end++) {
-        num factor = fault(T, kind == end ? one : add(one, positive(T, "l", end)), one);
+        num longer = add(one, positive(T, "l", end)), other = pick(T, 0, 1) ? longer : div(one, longer);
+        num factor = fault(T, kind == end ? one : other, one);
         for (int j = 0; j < dim; j++) {
             V[end * dim + j] = unknown(T, "v", end * dim + j);
             W[end * dim + j] = mul(factor, V[end * dim + j]);
@@ -383,56 +405,83 @@ CLAIM(cubic_run_backward_exchanges_the_ends)
         }
 }
 
+/* Row i of a rotation of space by the four numbers q, not all 0, of its half:  cos(θ/2) = q_0/|q|, and (q_1, q_2, q_3)/|q| is sin(θ/2)
+ * times the unit vector of the axis. */
+static void G(row_of_rotation)(const num q[4], int i, num row[])
+{
+    int j = (i + 1) % space, k = (i + 2) % space;
+    num square[4], two = from_int(2);
+    for (int m = 0; m < 4; m++)
+        square[m] = mul(q[m], q[m]);
+    num cosine = sub(square[0], add(square[1 + j], square[1 + k])), whole = G(norm_squared)(4, q);
+    row[i] = div(add(cosine, square[1 + i]), whole);
+    row[j] = div(mul(two, sub(mul(q[1 + i], q[1 + j]), mul(q[0], q[1 + k]))), whole);
+    row[k] = div(mul(two, add(mul(q[1 + i], q[1 + k]), mul(q[0], q[1 + j]))), whole);
+}
+
 /*
 :::{claim} congruent_cubics_have_these_lengths
 :title: A cubic that is moved, or moved and run backward, has the same lengths, or the same with the ends exchanged
 :zh: 合同的三次曲线切矢长度相同或两端互换
-:given: any plane cubic; a rotation by any angle, with or without a reflection, and any translation
+:given: any cubic in space; any rotation, with or without a reflection, and any translation
 :then: the image of $P(t)$ has tangents of the lengths $|\dot Q_0|$, $|\dot Q_1|$ at its ends, that of $P(1-t)$ of the lengths $|\dot
   Q_1|$, $|\dot Q_0|$
-:method: The squares of the lengths by the definition, everything a variable; the angle by the tangent of its half, and $\pi$, of which there is none,
-  for itself.
-:scope: plane cubics
-:over: x# y#: coefficients; a: angle; m#: translations
+:method: The squares of the lengths by the definition, everything a variable; a rotation by the cosine of half its angle and the vector along its axis whose length is
+  the sine of that half, up to a common factor: four numbers, not all 0, which every rotation has.
+:over: x# y# z#: coefficients; q#: rotations; m#: translations
 :control: the lengths of $P(1-t)$ not exchanged
 :::
 */
 CLAIM(congruent_cubics_have_these_lengths)
 {
-    num c[4 * dim], image[4 * dim], D[2][dim], E[2][dim], one = from_int(1);
-    struct G(turn) angles[2] = {G(turn_by)(parameter(T, "a")), {neg(one), from_int(0)}}; /* any but π, and π */
-    G(free_points)(T, 3, dim, c);
+    num c[4 * space], run[4 * space], q[4], row[space], shift[space], D[2][space];
+    G(free_points)(T, 3, space, c);
+    for (int m = 0; m < 4; m++)
+        q[m] = unknown(T, "q", m);
+    for (int j = 0; j < space; j++)
+        shift[j] = unknown(T, "m", j);
     for (int end = 0; end < 2; end++)
-        for (int j = 0; j < dim; j++)
-            D[end][j] = G(power_sum_derivative)(3, dim, c, j, 1, from_int(end));
-    for (int kind = 0; kind < 8; kind++) { /* reflected or not, run backward or not, the angle */
-        int backward = kind / 2 % 2;
-        struct G(turn) angle = angles[kind / 4];
-        if (backward)
-            G(power_on_interval)(3, dim, c, one, from_int(0), image);
+        for (int j = 0; j < space; j++)
+            D[end][j] = G(power_sum_derivative)(3, space, c, j, 1, from_int(end));
+    for (int kind = 0; kind < 4; kind++) { /* run backward or not, reflected or not */
+        int backward = kind / 2, reflected = kind % 2;
+        num image[4 * space];
+        G(power_on_interval)(3, space, c, from_int(backward), from_int(1 - backward), run);
         for (int k = 0; k < 4; k++) {
-            num x = (backward ? image : c)[dim * k], y = (backward ? image : c)[dim * k + 1];
-            if (kind % 2)
-                y = neg(y);
-            image[dim * k] = sub(mul(angle.cos, x), mul(angle.sin, y));
-            image[dim * k + 1] = add(mul(angle.sin, x), mul(angle.cos, y));
+            run[space * k] = reflected ? neg(run[space * k]) : run[space * k];
+            for (int i = 0; i < space; i++) {
+                G(row_of_rotation)(q, i, row);
+                num turned = G(dot)(space, row, run + space * k);
+                image[space * k + i] = k == 0 ? add(turned, shift[i]) : turned;
+            }
         }
-        for (int j = 0; j < dim; j++)
-            image[j] = add(image[j], unknown(T, "m", j));
         for (int end = 0; end < 2; end++) {
-            for (int j = 0; j < dim; j++)
-                E[end][j] = G(power_sum_derivative)(3, dim, image, j, 1, from_int(end));
+            num E[space];
+            for (int j = 0; j < space; j++)
+                E[j] = G(power_sum_derivative)(3, space, image, j, 1, from_int(end));
             int other = fault(T, backward ? 1 - end : end, end);
-            same(T, G(norm_squared)(dim, E[end]), G(norm_squared)(dim, D[other]));
+            same(T, G(norm_squared)(space, E), G(norm_squared)(space, D[other]));
         }
     }
 }
 
 #if RATIONAL
+/* Whether the tangents V and U at both ends have the same directions, and at one end at least not the same length. */
+static int only_the_lengths_differ(const num V[], const num U[])
+{
+    int directions = 1, lengths = 1;
+    for (int end = 0; end < 2; end++) {
+        const num *v = V + dim * end, *u = U + dim * end;
+        directions = directions && is_zero_q(G(cross2)(v, u)) && sign_q(G(dot)(dim, v, u)) > 0;
+        lengths = lengths && equal_q(G(norm_squared)(dim, v), G(norm_squared)(dim, u));
+    }
+    return directions && !lengths;
+}
+
 /*
 :::{claim} exchanged_lengths_turn_the_cubic
 :title: Two cubics with exchanged lengths that are the first ones, turned over
-:zh: 两端长度互换得旋转后的同一曲线
+:zh: 两端长度互换得同一曲线的旋转或镜像
 :kind: counterexample
 :given: the ends $Q$; the cubics $P$ with the tangents $V$ there, and $W$ with the tangents $U$ of the same directions, the lengths exchanged; and $P^*$,
   $W^*$ with $V^*$, $U^*$; all four by their coefficients from $D$ to $A$
@@ -441,7 +490,8 @@ CLAIM(congruent_cubics_have_these_lengths)
 :then: $W(t)=Q_0+Q_1-P(1-t)$: $W$ is $P$ turned by two right angles about the middle of the chord; and $W^*$ is $P^*$, reflected in the
   perpendicular bisector of the chord.  Ends and directions are the same, the lengths are not, and no tangent is along the chord
 :result: P = (0,0) (1,1) (-1,-4) (1,3); W = (0,0) (2,2) (-2,-5) (1,3); P* = (0,0) (1,1) (-1,0) (1,-1); W* = (0,0) (2,2) (-2,-3) (1,1)
-:method: The coefficients of $P(1-t)$ by the kernel; that the second curve is no image of the first is refuted.
+:method: The coefficients of $P(1-t)$ by the kernel; vector and scalar products and squares for the directions and lengths.  That the second curve is no image
+  of the first is refuted.
 :control: the tangents of the second curve both of the length of the longer one
 :::
 */
@@ -473,8 +523,15 @@ CLAIM(exchanged_lengths_turn_the_cubic)
     for (int pair = 0; pair < 2; pair++)
         for (int k = 0; k < 2; k++)
             found_points(T, curve[pair][k], 4, 2, c[pair][k]);
+    num chord[2] = {sub(Q[2], Q[0]), sub(Q[3], Q[1])};
+    int allowed = 1; /* the lengths alone differ, and no tangent is along the chord */
+    for (int pair = 0; pair < 2; pair++) {
+        allowed = allowed && only_the_lengths_differ(V[pair][0], V[pair][1]);
+        for (int end = 0; end < 2; end++)
+            allowed = allowed && !is_zero_q(G(cross2)(V[pair][0] + dim * end, chord));
+    }
     about(T, "whether one of the second curves is no image of the first");
-    refute(T, is_turned_over(Q, c[0][0], c[0][1], 0) && is_turned_over(Q, c[1][0], c[1][1], 1));
+    refute(T, allowed && is_turned_over(Q, c[0][0], c[0][1], 0) && is_turned_over(Q, c[1][0], c[1][1], 1));
 }
 
 /*
@@ -482,12 +539,12 @@ CLAIM(exchanged_lengths_turn_the_cubic)
 :title: With both tangents along the chord the lengths do not matter
 :zh: 切矢沿弦时形状不变
 :kind: counterexample
-:given: two cubics with the ends $Q$ on the $x$-axis, and with the tangents $V$ and $U$, all along the chord
+:given: two cubics with the ends $Q$ on the $x$-axis, and with the tangents $V$ and $U$, all along the chord, of the same directions and other lengths
 :data: Q = (0,0) (1,0); V = (3/2,0) (3/2,0); U = (2,0) (1/2,0)
 :instead: U = (2,1) (1/2,0)
 :then: both curves run once and forward along the same segment: $y=0$, and $x'>0$ on $(0,1)$
 :result: x' with V = "3*t^2 - 3*t + 3/2"; x' with U = "3/2*t^2 - 3*t + 2"
-:method: The coefficients; the sign of $x'$ by root counts.  That the two sets differ is refuted.
+:method: The directions and lengths; the coefficients; the sign of $x'$ by root counts.  That the two sets differ is refuted.
 :control: a second curve with a tangent that leaves the chord
 :::
 */
@@ -512,7 +569,7 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
     given_points(T, "U", 2, 2, U);
     int first = runs_along_the_axis(T, "x' with V", Q, V), second = runs_along_the_axis(T, "x' with U", Q, U);
     about(T, "whether the two sets of points differ");
-    refute(T, first && second);
+    refute(T, only_the_lengths_differ(V, U) && first && second);
 }
 #endif
 
@@ -538,7 +595,7 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
 :instead: U = (3,3) (3,-3)
 :then: the first curve is above its chord for $0<t<1$; the second one is above it at the first $t$ and below it at the second
 :result: y of the second = 9/32 -9/32
-:method: The squares of the lengths; the sign of $y$ on $(0,1)$ by root counts, and its values.
+:method: The tangents, and the squares of their lengths; the sign of $y$ on $(0,1)$ by root counts, and its values.
 :control: the same tangents
 :::
 */
@@ -554,6 +611,8 @@ CLAIM(other_directions_give_another_form)
     about(T, "the lengths");
     for (int end = 0; end < 2; end++)
         same(T, G(norm_squared)(dim, V + 2 * end), G(norm_squared)(dim, U + 2 * end));
+    about(T, "whether the first tangent is the same and the last one is turned");
+    agree(T, equal_q(V[0], U[0]) && equal_q(V[1], U[1]) && !is_zero_q(G(cross2)(V + 2, U + 2)));
     poly height = poly_from_q(4, (num[]){c[1], c[3], c[5], c[7]});
     for (int k = 0; k < 2; k++)
         y[k] = G(power_sum)(3, dim, e, 1, t[k]);

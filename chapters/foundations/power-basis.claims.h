@@ -19,12 +19,12 @@ section says what such a curve is good for, and counts the first two; the table 
 ## Descriptions
 
 :::{statement} hu-1987:1-4-slopes
-:title: A curve as the graph of a function has infinite slopes and several values
+:title: Infinite slopes and several values, the problem of the form that is not parametric
 :zh: 非参数形式的无穷斜率与多值问题
-:printed: In the fitting of curves the form that is not parametric has the problem of slopes $dy/dx=\infty$, and that of several
-  values.
+:printed: In the fitting of curves the form that is not parametric has the problem of slopes $dy/dx=\infty$, that of several
+  values, and so on (等等).
 :holds-by: parabola_across_has_no_slope
-:example: both can occur, and one curve has both.
+:example: two problems are named that can occur, and one curve has both.
 :figure: infinite_slope_and_two_values
 :::
 */
@@ -133,7 +133,7 @@ first at which it changes its side within the plane.  Lines have to be excepted,
 :printed: In CAGD the lowest degree of parametric curves given by polynomials is three.
 :refuted-by: quadratic_curve_is_in_use
 :class: false
-:corrected: Three is the lowest degree of the polynomial curves that leave every plane, and of the plane ones, no lines, with an inflection.
+:corrected: Three is the lowest degree of the polynomial curves that leave every plane, and of the plane ones with an inflection.
 :corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
 :meant: the words, curves given by polynomials, with nothing added | All polynomial curves that are in use.
 :reading: quadratic_curve_is_in_use | of all polynomial curves
@@ -182,7 +182,7 @@ CLAIM(quadratic_curve_is_in_use)
 :given: any $P(t)=c_0+c_1t+c_2t^2$ in space, any $t$
 :then: $P'\times P''=2\,c_1\times c_2$ does not depend on $t$, and $(c_1\times c_2)\cdot(P(t)-c_0)=0$
 :method: The derivatives by the kernel, everything a variable.  $c_1\times c_2=0$ makes $P(t)-c_0$ a multiple of one vector, so the curve
-  is a line.
+  is on a line.
 :over: x# y# z#: coefficients
 :control: a coefficient $c_3$ added
 :::
@@ -289,10 +289,36 @@ Horner's rule (秦九韶算法) takes the powers apart: the cubic is written in 
 :title: The cubic by Horner's rule
 :zh: 三次曲线的嵌套形式
 :printed: P(t)=[(At+B)t+C]t+D
-:holds-by: horner_step_keeps_the_sum
-:confirmed-by: horner_computes_the_sum_of_powers
-:degree: 3
+:holds-by: brackets_of_a_cubic_are_the_sum
+:confirmed-by: horner_step_keeps_the_sum horner_computes_the_sum_of_powers
 :::
+
+:::{claim} brackets_of_a_cubic_are_the_sum
+:title: The cubic in brackets is the cubic in powers
+:zh: 三次曲线的嵌套形式即幂形式
+:given: any $A,B,C,D$ in space, any $t$
+:then: $[(At+B)t+C]t+D=At^3+Bt^2+Ct+D$
+:method: The printed brackets against the sum of powers, each by repeated multiplication; everything a variable.
+:degrees: 3..3
+:over: x# y# z#: coefficients
+:control: $A$ in the place of $B$ in the inner bracket
+:::
+*/
+CLAIM(brackets_of_a_cubic_are_the_sum)
+{
+    enum { space = 3 };
+    num c[4 * space], t = parameter(T, "t");
+    G(free_points)(T, 3, space, c);
+    for (int j = 0; j < space; j++) {
+        num D = c[j], C = c[space + j], B = c[2 * space + j], A = c[3 * space + j];
+        num inner = add(mul(A, t), fault(T, B, A));
+        /* [(At + B)t + C]t + D */
+        same(T, add(mul(add(mul(inner, t), C), t), D), G(power_sum)(3, space, c, j, t));
+    }
+}
+
+/*
+What the brackets do to a cubic, a step of the rule does to any number of terms.
 
 :::{claim} horner_step_keeps_the_sum
 :title: Horner's step takes the sum of the terms so far to the sum with one term more, in every degree

@@ -39,8 +39,7 @@ enum { dim = 2 };
 :zh: 平方和大于零
 :given: any vector of three positive numbers, with any signs and with any of them replaced by 0
 :then: $|v|^2$ is the sum of the squares of the components, positive when one of them is not 0, and 0 for the zero vector
-:method: All 8 choices of components that are 0; the kernel's square of the norm has only positive coefficients in the others.
-  Signs do not matter for squares.
+:method: All 27 choices of a positive, a negative component or 0; the kernel's square of the norm has only positive coefficients in the positive numbers.
 :scope: all vectors of space
 :harmless: three positive numbers | with any signs and zeros these are all vectors
 :over: v#: -
@@ -49,15 +48,16 @@ enum { dim = 2 };
 */
 CLAIM(regularity_is_a_sum_of_squares)
 {
-    for (int present = 0; present < 8; present++) {
+    for (int choice = 0; choice < 27; choice++) {
+        int sign[3] = {choice % 3 - 1, choice / 3 % 3 - 1, choice / 9 - 1};
         num v[3], sum = from_int(0);
         for (int j = 0; j < 3; j++) {
-            v[j] = present >> j & 1 ? positive(T, "v", j) : from_int(0);
+            v[j] = mul(from_int(sign[j]), positive(T, "v", j));
             num square = mul(v[j], v[j]);
             sum = fault(T, add(sum, square), j == 2 ? sub(sum, square) : add(sum, square));
         }
         same(T, G(norm_squared)(3, v), sum);
-        if (present != 0)
+        if (sign[0] != 0 || sign[1] != 0 || sign[2] != 0)
             G(must_be_positive)(T, G(norm_squared)(3, v));
         else
             vanishes(T, sum);
@@ -83,8 +83,9 @@ The words are out of order, and are read as: the derivatives of the orders 1 to 
 The curve of the example has the derivative 0 at $t=\frac12$, so that by this definition it is of no class there.
 :::
 
-The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, and for a
-polynomial the quotient of chord and time is again a polynomial, so the limit is put in like a number.  The sentence is
+The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, which have
+the direction of the derivative in the limit, because the quotient of chord and time tends to it; for a polynomial that
+quotient is again a polynomial, and the limit is put in like a number.  The sentence is
 about "points of a curve", and here the two meanings of the word part.  A loop comes back to a point with another
 direction; each of the two parameters has its one tangent, the point has two.
 
@@ -92,8 +93,8 @@ direction; each of the two parameters has its one tangent, the point has two.
 :title: At a regular point there is one tangent
 :zh: 正则点处切线唯一
 :printed: At regular points of a curve a unique tangent can be determined.
-:holds-by: quotient_of_a_power_tends_to_its_derivative polynomial_without_constant_is_small_near_zero direction_is_near_where_the_vector_is
-:confirmed-by: chord_turns_into_the_derivative
+:holds-by: direction_is_near_where_the_vector_is
+:confirmed-by: quotient_of_a_power_tends_to_its_derivative polynomial_without_constant_is_small_near_zero chord_turns_into_the_derivative
 :meant: the definition just before it, which is of a parameter $t_0$ | A regular point is a parameter of the curve, and its tangent the limit of the chords.
 :reading: direction_is_near_where_the_vector_is | A regular point is a parameter, as in the definition: it has one tangent.
 :reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage,
@@ -169,10 +170,9 @@ CLAIM(polynomial_without_constant_is_small_near_zero)
 :where: $\dot P\ne0$
 :then: $q\times d=e\times d$ and $|e|^2|d|^2-|e\times d|^2=(e\cdot d)^2\ge0$, so that the sine of the angle of $q$ and $d$, $\frac{|q\times d|}{|q||d|}$, is at most
   $\frac{|e|}{|q|}$, where $|q|\ge|d|-|e|$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$
-:method: Identities in the six coordinates.  With $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the vector $e$ is a polynomial in $h$ without a constant by
-  `quotient_of_a_power_tends_to_its_derivative`, and as small as one likes by `polynomial_without_constant_is_small_near_zero`, for $h$ on
-  either side of 0: so the directions of the chords tend to that of $d$, and to no other.
-:scope: polynomial curves
+:method: Identities in the six coordinates.  With $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the vector $e$ tends to 0 with $h$, from either side: that is what the
+  derivative is.  So the directions of the chords tend to that of $d$, and to no other.
+:scope: curves with a derivative
 :over: u# v#: -
 :control: the vector product taken in the other order
 :::
@@ -509,7 +509,7 @@ CLAIM(natural_line_is_regular)
 :::{statement} hu-1987:1-4-line-same
 :title: The cubic parameter describes the same line
 :zh: 同一条直线的另一参数
-:printed: $x=y=\phi(t)=10t^3-15t^2+6t$ represents the same curve as $x=y=t$.
+:printed: $x=y=\phi(t)=10t^3-15t^2+6t$ represents the same line (直线) as $x=y=t$.
 :holds-by: cubic_parameter_stays_on_the_segment
 :figure: one_line_two_parameters
 :::
@@ -716,21 +716,23 @@ CLAIM(segment_has_endlessly_many_parameters)
 :::{claim} constant_curve_is_a_point
 :title: With coefficients 0 the curve is a point, singular everywhere
 :zh: 退化为点的曲线
-:given: any $D$, $A=B=C=0$, any $t$
+:given: any $D$ in space, $A=B=C=0$, any $t$
 :then: $P(t)=D$, $P'(t)=0$
 :method: The kernel at a variable $t$.
-:control: $C=(1,0)$
+:control: $C=(1,0,0)$
 :::
 */
 CLAIM(constant_curve_is_a_point)
 {
-    num c[8], D[4], t = parameter(T, "t");
-    for (int m = 0; m < 8; m++)
-        c[m] = m < 2 ? unknown(T, "x", m) : from_int(fault(T, 0, m == 2));
-    G(power_derivatives)(3, dim, c, t, 1, D);
-    for (int j = 0; j < dim; j++) {
+    enum { space = 3 };
+    num c[4 * space], D[2 * space], t = parameter(T, "t");
+    G(free_points)(T, 0, space, c);
+    for (int m = space; m < 4 * space; m++)
+        c[m] = from_int(fault(T, 0, m == space));
+    G(power_derivatives)(3, space, c, t, 1, D);
+    for (int j = 0; j < space; j++) {
         same(T, D[j], c[j]);
-        vanishes(T, D[dim + j]);
+        vanishes(T, D[space + j]);
     }
 }
 

@@ -21,8 +21,8 @@ step, which makes them as large as the coefficients, and begins the table with t
 :zh: 高阶差分已相当小
 :printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have become rather small.
 :holds-by: third_difference_loses_three_bytes
-:meant: the next line, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, so that their digits are
-  not lost | Against the coefficients of the curve the differences are small.
+:meant: the next line, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, which are then
+  of the size of the coefficients | Against the coefficients of the curve the differences are small.
 :reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0
 :reading: third_difference_loses_three_bytes | from the third on, against the coefficients: $6A/2^{24}$
 :reading: third_difference_exceeds_the_first | from the third on, against the differences before it
@@ -100,6 +100,8 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
   $\frac1{\delta^3}\Delta^3P_1=\frac1{\delta^3}\Delta^3P_0$
 :holds-by: printed_lines_step_a_cubic
 :confirmed-by: step_takes_differences_to_the_next_place
+:meant: the sentence before, by which additions lead from $t=0$ to $\delta,2\delta,\dots$ one after the other | $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at
+  $t=\delta$, not at the $t=i\delta$ that is printed for them.
 :figure: forward_differences
 :::
 
@@ -117,8 +119,9 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 :zh: 初始差分
 :given: any $A,B,C,D$ in space, any $\delta\ne0$
 :where: $\delta\ne0$
-:then: the rows of `power_differences`, divided by $1,\delta,\delta^2,\delta^3$, are the printed ones
-:method: The kernel against the printed expressions, everything a variable.
+:then: $P_0$, $\frac1\delta\Delta P_0$, $\frac1{\delta^2}\Delta^2P_0$, $\frac1{\delta^3}\Delta^3P_0$ are $D$, $A\delta^2+B\delta+C$, $6A\delta+2B$, $6A$, and $P_0,\dots,\Delta^3P_0$ are
+  the rows of `power_differences`
+:method: Differences of differences from $P(0),P(\delta),P(2\delta),P(3\delta)$, by the definition, against the printed expressions and the kernel, everything a variable.
 :over: x# y# z#: coefficients; d: δ
 :control: $3A$ in the last row
 :::
@@ -126,16 +129,25 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 CLAIM(scaled_table_is_as_printed)
 {
     enum { space = 3 };
-    num c[4 * space], d[4 * space], delta = positive(T, "d", 0), power = from_int(1);
+    num c[4 * space], d[4 * space], delta = positive(T, "d", 0);
     G(free_points)(T, 3, space, c);
     G(power_differences)(3, space, c, delta, d);
-    for (int k = 0; k <= 3; k++, power = mul(power, delta))
-        for (int j = 0; j < space; j++) {
-            num D = c[j], C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], six_A = mul(from_int(6), A);
-            num rows[4] = {D, add(add(mul(A, mul(delta, delta)), mul(B, delta)), C),
-                           add(mul(six_A, delta), mul(from_int(2), B)), fault(T, six_A, mul(from_int(3), A))};
-            same(T, div(d[k * space + j], power), rows[k]);
+    for (int j = 0; j < space; j++) {
+        num D = c[j], C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], six_A = mul(from_int(6), A);
+        num rows[4] = {D, add(add(mul(A, mul(delta, delta)), mul(B, delta)), C),
+                       add(mul(six_A, delta), mul(from_int(2), B)), fault(T, six_A, mul(from_int(3), A))};
+        num at[4], power = from_int(1); /* Δ^k P at 0, δ, 2δ, ... */
+        for (int i = 0; i <= 3; i++)
+            at[i] = G(power_sum)(3, space, c, j, mul(from_int(i), delta));
+        for (int k = 0; k <= 3; k++, power = mul(power, delta)) {
+            about(T, "the rows as printed");
+            same(T, div(at[0], power), rows[k]);
+            about(T, "the rows of the kernel");
+            same(T, d[k * space + j], at[0]);
+            for (int i = 0; i < 3 - k; i++)
+                at[i] = sub(at[i + 1], at[i]);
         }
+    }
 }
 
 /*

@@ -296,20 +296,24 @@ CLAIM(ellipse_lies_between_two_circles)
     same(T, div(cc, low), high);
 }
 
-/* (1 + k)^2 - (1 + h) */
-static num G(square_above)(num k, num h)
+/* The square of 1 + E with the printed E, the quotient of cos(Δθ/2) and √(1 - sin(Δθ/2)), for s = sin(Δθ/2), 0 < s < 1:
+ *     (1 - s^2)/(1 - s) */
+static num G(square_of_the_quotient)(num s)
 {
     num one = from_int(1);
-    return sub(G(power)(add(one, k), 2), add(one, h));
+    return div(sub(one, mul(s, s)), sub(one, s));
 }
+
+/* (1 + k)^2 - square */
+static num G(square_above)(num k, num square) { return sub(G(power)(add(from_int(1), k), 2), square); }
 
 /*
 :::{claim} inward_error_of_the_ellipse_is_larger
 :title: The ellipse leaves the circle farther inwards than outwards
 :zh: 向内误差大于向外误差
-:given: $0<s<1$
-:then: $\sqrt{1+s}-1<\frac s2<1-\sqrt{1-s}$
-:method: $(1+\frac s2)^2-(1+s)$ and $(1-\frac s2)^2-(1-s)$ are both $\frac{s^2}4$, and positive.
+:given: $0<s<1$; the printed $E=\frac c{\sqrt{1-s}}-1$ with $s=\sin\frac{\Delta\theta}2$, $c=\cos\frac{\Delta\theta}2$
+:then: $E<\frac s2<1-\sqrt{1-s}$
+:method: $(1+\frac s2)^2-\frac{1-s^2}{1-s}$ and $(1-\frac s2)^2-(1-s)$ are both $\frac{s^2}4$, and positive.
 :scope: 0 < Δθ < π
 :harmless: $0<s<1$ | it is $0<\Delta\theta<\pi$, $s=\sin\frac{\Delta\theta}2$
 :over: s: -
@@ -319,8 +323,8 @@ static num G(square_above)(num k, num h)
 CLAIM(inward_error_of_the_ellipse_is_larger)
 {
     num s = inside(T, "s"), half = mul(from_ratio(1, fault(T, 2, 4)), s), gap = mul(from_ratio(1, 4), mul(s, s));
-    same(T, G(square_above)(half, s), gap);
-    same(T, G(square_above)(neg(half), neg(s)), gap);
+    same(T, G(square_above)(half, G(square_of_the_quotient)(s)), gap);
+    same(T, G(square_above)(neg(half), sub(from_int(1), s)), gap);
     nonnegative(T, gap);
 }
 
@@ -361,7 +365,8 @@ putting in the example's $m$.
 :printed: For $\varepsilon=2^{-m}=2\sin\frac{\Delta\theta}2$: $E\approx\frac1{2^{m+1}}\times100(\%)$.
 :refuted-by: printed_error_is_twice_the_error
 :class: misprint
-:corrected: $E\approx\frac1{2^{m+2}}\times100(\%)$; more exactly $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$ with $s=2^{-m-1}$
+:corrected: $E\approx\frac1{2^{m+2}}\times100(\%)$; more exactly, and without the per cent, $\frac s2-\frac{s^2}8<E<\frac s2$ with
+  $s=2^{-m-1}$
 :corrected-by: error_is_half_the_sine
 :figure: error_of_the_second_way
 :striking: 41
@@ -375,12 +380,12 @@ The source's own example, $m=4$, is that of the corrected exponent.
 :title: For m = 4 the printed approximation is nearly twice the error
 :zh: 近似式给出两倍的误差
 :kind: counterexample
-:given: the $m$ of the source's example, $s=\sin\frac{\Delta\theta}2=2^{-m-1}$
+:given: the $m$ of the source's example, $s=\sin\frac{\Delta\theta}2=2^{-m-1}$, $c=\cos\frac{\Delta\theta}2$
 :data: m = 4
-:then: in per cent, rounded to one decimal, the printed $2^{-(m+1)}$ is not $E=\sqrt{1+s}-1$, but nearly twice as much
+:then: in per cent, rounded to one decimal, the printed $2^{-(m+1)}$ is not the printed $E=\frac c{\sqrt{1-s}}-1$, but nearly twice as much
 :result: 2^-(m+1) = "3.1 %"; E = "1.6 %"
 :method: A number is rounded to $k$ tenths of a per cent when it is between the numbers half a tenth below and above, which is decided for
-  $E$ after squaring.
+  $E$ after squaring, with $c^2=1-s^2$.
 :control: $2^{-(m+2)}$
 :::
 */
@@ -418,7 +423,7 @@ CLAIM(printed_error_is_twice_the_error)
     int m = given_whole(T, "m");
     num s = from_ratio(1, 1L << (m + 1));
     int printed = in_tenths(fault(T, from_ratio(1, 1L << (m + 2)), s));
-    int error = excess_of_root_in_tenths(add(from_int(1), s));
+    int error = excess_of_root_in_tenths(G(square_of_the_quotient)(s));
     found_percent(T, "2^-(m+1)", printed);
     found_percent(T, "E", error);
     about(T, "tenths of a per cent");
@@ -430,9 +435,9 @@ CLAIM(printed_error_is_twice_the_error)
 :::{claim} error_is_half_the_sine
 :title: The error is half the sine, to second order
 :zh: 误差的二阶估计
-:given: $0<s<1$
-:then: $\frac s2-\frac{s^2}8<\sqrt{1+s}-1<\frac s2$; for $s=2^{-m-1}$ the upper bound is $2^{-m-2}$
-:method: $(1+\frac s2)^2-(1+s)=\frac{s^2}4$ and $(1+s)-(1+\frac s2-\frac{s^2}8)^2=\frac{s^3(8-s)}{64}$; both positive.
+:given: $0<s<1$; the printed $E=\frac c{\sqrt{1-s}}-1$ with $s=\sin\frac{\Delta\theta}2$, $c=\cos\frac{\Delta\theta}2$
+:then: $\frac s2-\frac{s^2}8<E<\frac s2$; for $s=2^{-m-1}$ the upper bound is $2^{-m-2}$
+:method: With $(1+E)^2=\frac{1-s^2}{1-s}$, $(1+\frac s2)^2-(1+E)^2=\frac{s^2}4$ and $(1+E)^2-(1+\frac s2-\frac{s^2}8)^2=\frac{s^3(8-s)}{64}$; both positive.
 :scope: 0 < Δθ < π
 :harmless: $0<s<1$ | it is $0<\Delta\theta<\pi$, $s=\sin\frac{\Delta\theta}2$
 :over: s: -
@@ -444,8 +449,9 @@ CLAIM(error_is_half_the_sine)
     num s = inside(T, "s"), half = mul(from_ratio(1, 2), s), ss = mul(s, s);
     num lower = sub(half, mul(from_ratio(1, fault(T, 8, 16)), ss));
     num below = div(mul(mul(s, ss), sub(from_int(8), s)), from_int(64)), above = mul(from_ratio(1, 4), ss);
-    same(T, G(square_above)(half, s), above);
-    same(T, neg(G(square_above)(lower, s)), below);
+    num square = G(square_of_the_quotient)(s);
+    same(T, G(square_above)(half, square), above);
+    same(T, neg(G(square_above)(lower, square)), below);
     nonnegative(T, above);
     nonnegative(T, below);
 }
@@ -466,12 +472,12 @@ CLAIM(error_is_half_the_sine)
 :title: The error for m = 4 is the printed one, to its digits
 :zh: m=4 时误差与印刷数值一致
 :kind: decision
-:given: the $m$ of the source, $s=2^{-m-1}$, and the printed error $p$ in per cent, with half a unit $h$ of its last digit
+:given: the $m$ of the source, $s=\sin\frac{\Delta\theta}2=2^{-m-1}$, $c=\cos\frac{\Delta\theta}2$, and the printed error $p$ in per cent, with half a unit $h$ of its last digit
 :data: m = 4; p = 1.6; h = 0.05
 :instead: m = 3
-:then: $E=\sqrt{1+s}-1$ is between $p-h$ and $p+h$ per cent, and inwards $1-\sqrt{1-s}$ is so as well
+:then: the printed $E=\frac c{\sqrt{1-s}}-1$ is between $p-h$ and $p+h$ per cent, and inwards $1-\sqrt{1-s}$ is so as well
 :result: s = 1/32
-:method: The four comparisons after squaring, in rationals.
+:method: The four comparisons after squaring, with $c^2=1-s^2$, in rationals.
 :control: a longer step
 :::
 */
@@ -486,7 +492,7 @@ CLAIM(error_for_four_is_as_printed)
     num s = from_ratio(1, 1L << (given_whole(T, "m") + 1)), p = given(T, "p"), h = given(T, "h");
     num one = from_int(1), percent = from_ratio(1, 100), low = mul(percent, sub(p, h)), high = mul(percent, add(p, h));
     found(T, "s", s);
-    agree(T, root_is_between(add(one, low), add(one, s), add(one, high)));
+    agree(T, root_is_between(add(one, low), G(square_of_the_quotient)(s), add(one, high)));
     agree(T, root_is_between(sub(one, high), sub(one, s), sub(one, low)));
 }
 #endif
@@ -495,7 +501,7 @@ CLAIM(error_for_four_is_as_printed)
 ## Does the second way close?
 
 The source says only of the first way that it does not close.  The ellipse of the second way is a closed curve, and the
-points stay on it for ever; but they never come back to where they were.
+points stay on it for ever; but from any first point except the origin they never come back to where they were.
 */
 
 #if RATIONAL
@@ -504,7 +510,8 @@ points stay on it for ever; but they never come back to where they were.
 :title: The orbit of the second way never returns to its first point
 :zh: 第二种方法的点列永不重复
 :kind: decision
-:given: $\varepsilon=2^{-m}$, $m=1,\dots,M$; traces $V_k$ of $T^k$ for $k=1,\dots,K$, $V_{k+1}=(2-\varepsilon^2)V_k-V_{k-1}$, $V_0=2$
+:given: $\varepsilon=2^{-m}$, $m=1,\dots,M$; traces $V_k$ of $T^k$ for $k=1,\dots,K$, $V_{k+1}=(2-\varepsilon^2)V_k-V_{k-1}$, $V_0=2$; a first point $P_0\ne(0,0)$
+:where: $P_0\ne(0,0)$
 :data: M = 6; K = 48
 :then: $2^{2mk}V_k$ is an odd integer; so $V_k\ne2$.  A point that returned after $k$ steps would belong to
   the eigenvalue 1 of $T^k$; the other one would be 1, too, because $\det T=1$, and their sum $V_k$ would be 2

@@ -26,7 +26,7 @@ torsion is a single number, which vanishes exactly when the cubic is plane.
 :zh: 用速率与曲率表示挠率
 :given: any three vectors $\dot P,\ddot P,\dddot P$ of space, $\dot P\times\ddot P\ne0$
 :where: $\dot P\times\ddot P\ne0$
-:then: $\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}=\frac{[\dot P\,\ddot P\,\dddot P]}{|\dot P\times\ddot P|^2}$, the torsion, with $\dot s^2=|\dot P|^2$ and
+:then: $\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}=\frac{[\dot P\,\ddot P\,\dddot P]}{|\dot P\times\ddot P|^2}=\tau$, the torsion, with $\dot s^2=|\dot P|^2$ and
   $K^2=\frac{|\dot P\times\ddot P|^2}{|\dot P|^6}$
 :method: The kernels for the square of the curvature and for the torsion, everything a variable.
 :over: u# v# w#: derivatives
@@ -287,9 +287,9 @@ CLAIM(printed_entry_spoils_the_determinant)
 :zh: 行列式的值
 :printed: the last member of the chain: $\dots=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$
 :holds-by: determinant_of_the_derivatives_is_constant
+:meant: the last row of the member before it, $6A_x$, $6A_y$, $6A_z$, the third derivative | It is the value of $(\dot
+  P\times\ddot P)\cdot\dddot P$, with which the chain is to begin.
 :figure: determinants_of_the_derivatives
-
-Read as the value of $(\dot P\times\ddot P)\cdot\dddot P$, with which the chain is to begin.
 :::
 
 A single number decides whether a cubic is plane.  The three normals $A\times B$, $C\times A$ and $B\times C$ test the
