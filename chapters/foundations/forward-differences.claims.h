@@ -318,6 +318,7 @@ $\delta$; the places $i\delta$ are reached by $i$ steps and not by one.
 :zh: 差分递推
 :printed: P_1=P_0+\Delta P_0,\quad\Delta P_1=\Delta P_0+\Delta^2P_0,\quad\Delta^2P_1=\Delta^2P_0+\Delta^3P_0,\quad\Delta^3P_1=\Delta^3P_0
 :holds-by: printed_lines_step_a_cubic
+:meant: the lines themselves, one addition each | The differences with the index 1 are those at $t=\delta$, the next place, and not at $t=i\delta$.
 :confirmed-by: step_takes_differences_to_the_next_place
 :figure: forward_differences
 :::
@@ -397,8 +398,8 @@ CLAIM(printed_lines_step_a_cubic)
 :zh: 反复加法求各点
 :printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the
   other by repeated additions.
-:holds-by: step_takes_differences_to_the_next_place table_after_any_number_of_steps
-:confirmed-by: additions_step_along_the_curve
+:holds-by: printed_lines_step_a_cubic table_after_any_number_of_steps
+:confirmed-by: step_takes_differences_to_the_next_place additions_step_along_the_curve
 :figure: forward_differences
 :::
 
@@ -475,7 +476,8 @@ and additions; with another step it is not.
   $\delta$ is.
 :figure: stepping_and_rounding
 
-The table is made for each coordinate alone.
+The table is made for each coordinate alone.  Products with a sum of few powers of two, such as $\frac34$, are shifts and additions as
+well; a step $\delta=\frac1n$ with a whole $n$ is such a sum only if it is a power of two itself.
 :::
 */
 
