@@ -123,7 +123,7 @@ CLAIM(curvature_divides_by_zero_at_a_cusp)
 :refuted-by: printed_letter_spoils_the_curvature
 :class: misprint
 :corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed, at points with $\dot P\ne0$
-:corrected-by: curvature_by_the_vector_product curvature_and_torsion_belong_to_arc_length
+:corrected-by: curvature_by_the_vector_product curvature_belongs_to_arc_length
 :meant: the letter, and the formula of the torsion below it, in which $\ddot P$ stands for the third derivative, too | $s$ is the length of the arc, and a dot
   over it is missing.
 :reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc
@@ -217,7 +217,7 @@ polynomial and everything can be compared in rational numbers.
 :zh: 拐点的定义
 :definition: yes
 :printed: By the formula of the curvature, where $K=0$ the point is called an inflection.
-:checked-by: curvature_and_torsion_belong_to_arc_length curvature_by_the_vector_product turning_of_a_cubic_is_quadratic
+:checked-by: curvature_belongs_to_arc_length curvature_by_the_vector_product turning_of_a_cubic_is_quadratic
 :confirmed-by: sign_of_delta_tells_the_form merged_inflections_are_a_cusp fourth_power_has_curvature_zero_on_one_side
 :figure: forms_of_a_cubic
 
