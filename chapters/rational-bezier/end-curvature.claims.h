@@ -59,7 +59,6 @@ static inline void G(by_arc_length)(int dim, const G(series) R[], num *curvature
 :zh: 曲率公式与弧长定义一致
 :given: derivatives $R'\ne0$ and $R''$ of a curve, in the plane and in space
 :where: the first derivative is not 0
-:harmless: $R'\ne0$ | that the first derivative is not 0 is said by the scope
 :then: $\frac{|R'|^2|R''|^2-(R'\cdot R'')^2}{|R'|^6}=|R_{ss}|^2$
 :method: The definition is expanded at the point as Taylor polynomials; both sides are one element of the field of rational functions of the
   coordinates of $R',R''$, and of $R'''$, which drops out.
