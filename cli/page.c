@@ -127,7 +127,8 @@ static void print_claim_lines(const claim_result *r)
 /* What the claim does for a statement that names it. */
 static const char *const role_words[] = {
     [HOLDS_BY] = "decides",  [CONFIRMED_BY] = "confirms",      [REFUTED_BY] = "refutes",    [CORRECTED_BY] = "corrects",
-    [CHECKED_BY] = "checks", [HYPOTHESIS] = "a hypothesis of", [NEEDS] = "a hypothesis of", [READING] = "a reading of"};
+    [CHECKED_BY] = "checks", [HYPOTHESIS] = "a hypothesis of", [NEEDS] = "a hypothesis of", [READING] = "a reading of",
+    [READING_WITH] = "a reading of"};
 
 void print_claim(const cagd_register *reg, const claim_result *r)
 {

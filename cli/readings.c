@@ -38,9 +38,10 @@ static enum reading_state state_of(const claim_result *c)
     return c == NULL ? READING_OPEN : c->claim->kind == COUNTEREXAMPLE ? READING_FALSE : READING_TRUE;
 }
 
-/* How a reading is known, in the words of a verdict, with an argument beside its claim or without.  The caller frees. */
-static char *known_of_reading(const statement *s, const claim_result *c, int is_argued)
+/* How a reading is known, in the words of a verdict, with an argument beside its claims or without.  The caller frees. */
+static char *known_of_reading(const statement *s, const statement_link *reading, const claim_result *results, int count)
 {
+    const claim_result *c = reading->claim != NULL ? result_of(reading->claim, results, count) : NULL;
     char *text = NULL;
     if (c == NULL) {
         text = strdup("not decided");
@@ -53,8 +54,8 @@ static char *known_of_reading(const statement *s, const claim_result *c, int is_
             abort();
         return text;
     }
-    finding f = finding_of(c, s->letter);
-    f.evidence = is_argued && f.evidence > BY_ARGUMENT ? BY_ARGUMENT : f.evidence;
+    finding f = finding_of_reading(reading, results, count, s->letter);
+    f.evidence = reading->place != NULL && f.evidence > BY_ARGUMENT ? BY_ARGUMENT : f.evidence;
     text = finding_words(&f);
     free_finding(&f);
     return text;
@@ -68,7 +69,7 @@ void print_readings(const statement *s, const claim_result *results, int count)
         if (l->role != READING)
             continue;
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
-        char *known = known_of_reading(s, c, l->place != NULL), *plain = tex_to_layout(l->text, 1),
+        char *known = known_of_reading(s, l, results, count), *plain = tex_to_layout(l->text, 1),
              *how = tex_to_layout(known, 1);
         printf("%*s%2d  %-7s", INDENT, "", ++number, told[state_of(c)]);
         put_behind(stdout, plain, INDENT + 11, INDENT + 11, page_width(WIDEST));
@@ -158,17 +159,21 @@ static int is_a_step(const statement *s, const char *name)
 
 void print_deciding_claims(const statement *s, const claim_result *results, int count)
 {
-    int number = 0;
+    int number = 0, headed = 0;
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
-        if (l->role != READING)
+        if (l->role != READING && l->role != READING_WITH)
             continue;
-        number++;
+        number += l->role == READING;
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         if (state_of(c) != READING_TRUE || is_shown_above(s, l) || is_a_step(s, l->claim))
             continue;
         char text[64];
         snprintf(text, sizeof text, "What decides reading %d", number);
-        heading(text);
+        if (headed != number)
+            heading(text);
+        else
+            putchar('\n');
+        headed = number;
         prose(c->claim->title, INDENT);
         print_sentence(c->claim, INDENT);
         prose(c->claim->method, INDENT);

@@ -83,11 +83,10 @@ static json_t *counterexample_json(const claim_result *r)
     return j;
 }
 
-/* A step, or a reading, with how it is known: what the fields `more` say, and the finding of its claim alone, which an argument in
- * words, NULL where there is none, weakens. */
-static json_t *with_finding(json_t *more, const statement *s, const claim_result *c, const char *argument)
+/* A step, or a reading, with how it is known: what the fields `more` say, and the finding, which an argument in words, NULL where
+ * there is none, weakens. */
+static json_t *with_finding(json_t *more, finding f, const char *argument)
 {
-    finding f = c != NULL ? finding_of(c, s->letter) : (finding){0};
     f.evidence = argument != NULL && f.evidence > BY_ARGUMENT ? BY_ARGUMENT : f.evidence;
     if (argument != NULL)
         json_object_set_new(more, "argument", json_string(argument));
@@ -106,8 +105,8 @@ static json_t *steps_json(const statement *s, role wanted, const claim_result *r
         const claim_result *c = l->role == wanted && l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         if (c != NULL)
             json_array_append_new(
-                steps, with_finding(json_pack("{s:s, s:s}", "claim", l->claim, "kind", kind_name[c->claim->kind]), s, c,
-                                    NULL));
+                steps, with_finding(json_pack("{s:s, s:s}", "claim", l->claim, "kind", kind_name[c->claim->kind]),
+                                    finding_of(c, s->letter), NULL));
     }
     return steps;
 }
@@ -138,9 +137,16 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
                 words, json_pack("{s:s, s:s, s:s}", "is", role_key[l->role], "place", l->place, "text", l->text));
         if (l->role == READING)
             json_array_append_new(
-                readings, with_finding(json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim, "outcome",
-                                                 c != NULL ? outcome_name[c->outcome] : "not decided"),
-                                       s, c, l->place));
+                readings,
+                with_finding(json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim, "outcome",
+                                       c != NULL ? outcome_name[c->outcome] : "not decided"),
+                             c != NULL ? finding_of_reading(l, results, count, s->letter) : (finding){0}, l->place));
+        if (l->role == READING_WITH) {
+            json_t *reading = json_array_get(readings, json_array_size(readings) - 1);
+            if (json_object_get(reading, "with") == NULL)
+                json_object_set_new(reading, "with", json_array());
+            json_array_append_new(json_object_get(reading, "with"), json_string(l->claim));
+        }
     }
     json_t *printed = json_pack(
         "{s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o}", "verdict", verdict_name[r->verdict], "evidence",

@@ -37,6 +37,7 @@
                                                goes wrong without it                                               */  \
     X(READING, "reading", CLAIM_TEXT_WORDS) /* text: one way to read the print; claim: what decides that reading;     \
                                                place: the argument in words that it needs besides, or none         */  \
+    X(READING_WITH, "reading-with", CLAIM_LIST) /* behind a reading: a claim that decides it together with its own */  \
     X(MEANT, "meant", PLACE_TEXT)           /* text: what the source itself means; place: by what one knows        */  \
     X(ARGUED, "argued", PLACE_TEXT) /* text: an argument in words that leads from the claims to the statement; place:  \
                                        the cases that it adds to those of the claims, empty where they need it     */  \

@@ -376,7 +376,7 @@ static whole_range range_of(const claim *c, int low, int high)
     whole_range r = {.low = low, .high = high};
     const char *letter = c->letter != NULL ? c->letter : "";
     if (strcmp(letter, "k") == 0) {
-        r.low -= low > 0;
+        r.low -= low > 0 || high < WITHOUT_END; /* k = 0 to 6, where k counts something else than the order */
         r.high -= high < WITHOUT_END;
     } else if (letter[0] != '\0' && strcmp(letter, "n") != 0 && strcmp(letter, "p") != 0) {
         snprintf(r.letter, sizeof r.letter, "%s", letter);

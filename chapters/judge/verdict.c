@@ -93,6 +93,17 @@ finding finding_of(const claim_result *c, const char *letter)
     return found(&g, letter, 0);
 }
 
+finding finding_of_reading(const statement_link *reading, const claim_result *results, int count, const char *letter)
+{
+    struct gathering g = {.weakest = PROVED};
+    for (const statement_link *l = reading; l == reading || (l->role == READING_WITH && l->claim != NULL); l++) {
+        const claim_result *c = result_of(l->claim, results, count);
+        if (c != NULL)
+            add_claim(&g, c);
+    }
+    return found(&g, letter, 0);
+}
+
 /* "proved for n = 1 to 6"; "proved, each step for its own cases". */
 static void put_known(FILE *out, const char *how, const char *cases)
 {

@@ -184,6 +184,14 @@ static void check_words_of_reading(const struct block *b, int line, const char *
         complain(b->file, line, "'%s': whether a reading is true is derived from its claim", b->name);
 }
 
+/* Whether no claim decides that the reading is true. */
+static int is_false_reading(const struct book *book, const char *value)
+{
+    struct link link = read_link(value, CLAIM_TEXT_WORDS);
+    const struct block *target = link.claim != NULL ? block_named(book, link.claim, CLAIM_BLOCK) : NULL;
+    return target == NULL || kind_of(target) == COUNTEREXAMPLE;
+}
+
 /* Where a reading fails it is said what the text itself means, unless readings are all that is known. */
 static void check_readings(const struct book *book, const struct block *b)
 {
@@ -191,6 +199,11 @@ static void check_readings(const struct book *book, const struct block *b)
         value_of(b, "holds-by") != NULL || value_of(b, "refuted-by") != NULL || value_of(b, "definition") != NULL;
     int told = value_of(b, "meant") != NULL || !decided;
     for (int k = 0; k < b->options; k++) {
+        const int before = k > 0 ? role_of(b->option[k - 1].key) : ROLES;
+        if (role_of(b->option[k].key) == READING_WITH &&
+            (before != READING || is_false_reading(book, b->option[k - 1].value)))
+            complain(b->file, b->option[k].line, "'%s': reading-with stands behind a reading that a claim decides",
+                     b->name);
         struct link link = read_link(b->option[k].value, CLAIM_TEXT_WORDS);
         const struct block *target = link.claim != NULL ? block_named(book, link.claim, CLAIM_BLOCK) : NULL;
         if (role_of(b->option[k].key) != READING || target == NULL)

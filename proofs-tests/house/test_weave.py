@@ -536,6 +536,15 @@ class BadLinks(Weaving):
             self.refused("first.claims.h", line_of(text, ":reading: ratio_fails"), "which reading is meant")
 
 
+    def test_claims_that_decide_a_reading_together(self):
+        self.write("first.claims.h", FIRST.replace(":reading: a way to read it", ":reading: sum_is_zero | a way to read it\n:reading-with: range_is_decided"))
+        self.assertIn('{READING_WITH, "range_is_decided", NULL, "", NULL}', self.register())
+        for old, new in ((":reading: a way to read it", ":reading: a way to read it\n:reading-with: range_is_decided"),
+                         (":class: false\n", ":class: false\n:reading-with: range_is_decided\n")):
+            text = FIRST.replace(old, new)
+            self.write("first.claims.h", text)
+            self.refused("first.claims.h", line_of(text, ":reading-with:"), "behind a reading")
+
     def test_words_of_a_reading_agree_with_its_claim(self):
         self.spoiled("first.claims.h", ":reading: a way to read it", ":reading: ratio_fails | one way: true, as always", "derived from its claim")
         self.spoiled("first.claims.h", ":reading: a way to read it", ":reading: sum_is_zero | one way: false, as always", "derived from its claim")

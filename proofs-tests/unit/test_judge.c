@@ -894,7 +894,8 @@ static void test_every_combination_of_roles(void **state)
     (void)state;
     static const char *const good[ROLES] = {
         [HOLDS_BY] = "proved",    [CONFIRMED_BY] = "sampled", [REFUTED_BY] = "against", [CORRECTED_BY] = "decided",
-        [HYPOTHESIS] = "against", [NEEDS] = "against",        [READING] = "against",    [CHECKED_BY] = "decided"};
+        [HYPOTHESIS] = "against", [NEEDS] = "against",        [READING] = "against",    [CHECKED_BY] = "decided",
+        [READING_WITH] = "proved"};
     for (unsigned roles = 0; roles < 1u << ROLES; roles++)
         for (int is_definition = 0; is_definition <= 1; is_definition++)
             for (int bad = -1; bad < 2 * ROLES; bad++) { /* the role whose claim went wrong, or is missing */
@@ -1356,6 +1357,32 @@ static void test_the_finding_of_one_claim(void **state)
     free_finding(&f);
 }
 
+/* A reading and the claims behind it: the weakest evidence, the common cases; another reading is not counted in. */
+static void test_the_finding_of_a_reading(void **state)
+{
+    (void)state;
+    const int count = sizeof scoped / sizeof *scoped;
+    const char *first = scoped[1].claim->name, *second = scoped[4].claim->name, *third = scoped[3].claim->name;
+    const statement_link links[] = {{READING, first, NULL, "one way", NULL},   {READING_WITH, second, NULL, "", NULL},
+                                    {READING_WITH, first, NULL, "", NULL},     {READING, third, NULL, "another", NULL},
+                                    {READING_WITH, "missing", NULL, "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL}};
+    finding two = finding_of_reading(links, scoped, count, "n"), alone = finding_of(&scoped[1], "n");
+    assert_int_equal(two.evidence, BY_ARGUMENT);
+    assert_string_not_equal(two.scope, "");
+    assert_int_equal(alone.evidence, PROVED);
+    free_finding(&alone);
+    free_finding(&two);
+    finding one = finding_of_reading(links + 3, scoped, count, "n"), same = finding_of(&scoped[3], "n");
+    assert_int_equal(one.evidence, same.evidence);
+    assert_string_equal(one.scope, same.scope);
+    free_finding(&one);
+    free_finding(&same);
+    const statement s = {.id = "source:1", .links = links};
+    statement_result r = derive(&s, scoped, count); /* a claim that is missing */
+    assert_false(r.as_expected);
+    free_statement_result(&r);
+}
+
 static void test_claims_without_a_common_case(void **state)
 {
     (void)state;
@@ -1467,6 +1494,7 @@ int main(void)
         unit(test_letters_of_the_statement_alone_are_told),
         unit(test_the_only_degree_of_a_statement),
         unit(test_the_finding_of_one_claim),
+        unit(test_the_finding_of_a_reading),
         unit(test_claims_without_a_common_case),
         unit(test_arguments),
         unit(test_a_claim_that_needs_words_is_argued),
