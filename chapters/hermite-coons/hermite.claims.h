@@ -30,9 +30,10 @@ serves for existence and uniqueness, the system being square.
 :title: In general the interpolating polynomial is of a high degree
 :zh: 一般 Hermite 插值多项式次数较高
 :printed: for the general problem the interpolating polynomial is in general of a rather high degree, and inconvenient to use
-:reading: one_more_datum_determines_one_more_coefficient | its degree grows with the data: it is one less than their number, but for a last datum that
-  the polynomial of those before has already
-:confirmed-by: hermite_interpolant_exists_and_is_unique a_factor_raises_the_order_of_a_zero
+:reading: one_more_datum_determines_one_more_coefficient | its degree grows with the data, over different nodes: it is one less than their number, but for a
+  last datum that the polynomial of those before has already
+:reading-with: a_factor_raises_the_order_of_a_zero
+:confirmed-by: hermite_interpolant_exists_and_is_unique
 :reading: which degree is high, and what inconvenient: the slides do not say, so that nothing is there to be decided
 :figure: hermite_blending_functions
 :::

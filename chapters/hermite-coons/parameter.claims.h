@@ -411,7 +411,9 @@ CLAIM(maps_of_the_equations_are_one_matrix)
 :title: More freedom for the shape
 :zh: 参数形式自由度更大
 :printed: With a parameter there is more freedom to control the shape of curves and surfaces, a strong power to describe and a rich power to express.
-:reading: parametric_cubic_crosses_itself | more than graphs: there are shapes that no graph $y=f(x)$ has
+:reading: parametric_cubic_crosses_itself | of curves: there are shapes that no graph $y=f(x)$ has
+:reading: parametric_cubic_crosses_itself | of surfaces: there are shapes that no graph $z=f(x,y)$ has | The cylinder of the points $(x,s,y)$ with $(x,y)$ on that
+  cubic has two points over one place $(x,s)$.
 :reading: how much freedom, which power is strong or rich: the slides do not say, so that nothing is there to be decided
 :figure: graphs_and_axes
 :::

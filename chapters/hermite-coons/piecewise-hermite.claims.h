@@ -3,9 +3,13 @@
 
 The degree of the polynomial with all data grows with the data.  Instead the cubic with the four data of $[t_i,t_{i+1}]$ is
 taken on each interval.  Neighbours share a value and a derivative at the node between them, so the curve has a
-continuous tangent whatever the data are; the second derivative is another matter.
+continuous first derivative whatever the data are; the second derivative is another matter.
 */
 #include "chapters/hermite-coons/definition.h"
+
+#if RATIONAL
+#include "exact/record/polynomial.h"
+#endif
 
 #include "chapters/judge/claims_on.h"
 
@@ -195,8 +199,9 @@ agree there is one linear condition at each inner node; the curves that satisfy 
 :holds-by: base_functions_interpolate_once_continuously
 :argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
-:meant: the data are values and first derivatives | With a continuous tangent, $C^1$.
+:meant: the data are values and first derivatives | With a continuous first derivative, $C^1$.
 :reading: base_functions_interpolate_once_continuously | $C^1$, for all data
+:reading: pieces_turn_where_a_derivative_vanishes | a continuous tangent, for all points and tangent vectors of curves: where a vector is 0 the tangent may turn
 :reading: pieces_need_not_have_one_curvature | $C^2$, for all data
 :reading: second_derivatives_meet_on_a_condition | $C^2$, if one linear condition holds at each inner node, and only then
 :figure: piecewise_is_not_c2
@@ -227,6 +232,52 @@ CLAIM(pieces_need_not_have_one_curvature)
     found(T, "P''(t_1+)", side[1][2]);
     about(T, "P'' at t_1 from the left and from the right");
     same(T, side[0][2], side[1][2]);
+}
+#endif
+
+#if RATIONAL
+/*
+:::{claim} pieces_turn_where_a_derivative_vanishes
+:title: Where the derivative at a node is 0 the tangent may turn by a right angle
+:zh: 节点导矢为零处切向可转直角
+:kind: counterexample
+:data: t = 0 1 2; P = (0,0) (1,0) (1,1); P' = (0,0) (0,0) (0,0); h = 1/10
+:instead: P' = (0,0) (1,1) (0,0)
+:result: P'(t_1-h) = (27/50,0); P'(t_1+h) = (0,27/50); P'(t_1-s) P'(t_1+s) = "0"
+:given: three nodes $t$ with the points $P$ and the derivatives $P'$, and the curve of two pieces; a small $h$
+:then: the tangents before and after the inner node are at a right angle, however near to it: $P'(t_1-s)\cdot P'(t_1+s)=0$ for every $s$, while neither is 0 at $h$
+:method: The kernel on both intervals at $h$; at every $s$ by the coefficients of the two pieces, from the base functions.
+:control: a derivative at the node that is not $0$
+:::
+*/
+CLAIM(pieces_turn_where_a_derivative_vanishes)
+{
+    num t[3], P[6], slope[6], before[4], after[4], h = given(T, "h");
+    given_points(T, "t", 3, 1, t);
+    given_points(T, "P", 3, 2, P);
+    given_points(T, "P'", 3, 2, slope);
+    num first[8] = {P[0], P[1], P[2], P[3], slope[0], slope[1], slope[2], slope[3]};
+    num second[8] = {P[2], P[3], P[4], P[5], slope[2], slope[3], slope[4], slope[5]};
+    hermite_cubic_q(2, t[0], t[1], first, sub(t[1], h), 1, before);
+    hermite_cubic_q(2, t[1], t[2], second, add(t[1], h), 1, after);
+    found_points(T, "P'(t_1-h)", 1, 2, before + 2);
+    found_points(T, "P'(t_1+h)", 1, 2, after + 2);
+    poly product = poly_constant(from_int(0));
+    for (int c = 0; c < 2; c++) { /* intervals of length 1: P_0 + m_0 x + (3 d - 2 m_0 - m_1) x^2 + (m_0 + m_1 - 2 d) x^3 */
+        poly piece[2];
+        for (int k = 0; k < 2; k++) {
+            num d = sub(P[2 * k + 2 + c], P[2 * k + c]), m0 = slope[2 * k + c], m1 = slope[2 * k + 2 + c];
+            num square = sub(sub(mul(from_int(3), d), mul(from_int(2), m0)), m1);
+            piece[k] = poly_from_q(4, (num[]){P[2 * k + c], m0, square, sub(add(m0, m1), mul(from_int(2), d))});
+        }
+        poly back = poly_compose(poly_derivative(piece[0]), poly_from_q(2, (num[]){from_int(1), from_int(-1)}));
+        product = poly_add(product, poly_mul(back, poly_derivative(piece[1])));
+    }
+    found_text(T, "P'(t_1-s) P'(t_1+s)", poly_to_string(product, "s"));
+    about(T, "the product of the two derivatives at h");
+    same(T, add(mul(before[2], after[2]), mul(before[3], after[3])), poly_value(product, h));
+    about(T, "whether the tangents are at a right angle, however near to the node");
+    refute(T, poly_is_zero(product) && !is_zero_q(before[2]) && !is_zero_q(after[3]));
 }
 #endif
 

@@ -47,6 +47,11 @@ of the curve and the curve does not jump, and then with the square of the larges
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, the largest gap $h_m\to0$
 :hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide
+:meant: definition 4.1.1, which says what the polygon is, and section 2.10 | The whole polygon, so that its ends count, too; the $\alpha$ of (4.1.6) with intervals
+  closed on the left, see `formula-4.1.6`.
+:reading: first_vertex_stays_off_the_curve | the whole polygon, over any knots
+:reading: polygon_is_within_the_bound_of_the_spline | the part of the polygon over the domain, over knots that are at most $(k-2)$-fold inside: it is near
+  the spline, with a bound by the points of $f''$
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
   that of the parabola with the second derivative $M$.  By the identities that is at most $\frac k{24}h^2M$, the same $M$ serves for
   all refinements, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon passes through the curve, and either side is treated alone.

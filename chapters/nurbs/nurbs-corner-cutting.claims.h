@@ -221,7 +221,8 @@ CLAIM(clamped_start_inserted_again_repeats_the_first_point)
 :method: $\alpha_i=\frac{a+b}{a+b+c+d}$, whose divisor is not $0$, since $b>0$.  Nothing else of the knots enters, so this is for every $k$ and all knots,
   multiple ones among them.
 :degrees: all
-:over: g#: gaps of the knots; mu k m: -
+:scope: every knot, simple or multiple, with $t_\mu<\tau\le t_{\mu+1}$
+:over: g# mu k m: -
 :control: $i=\mu+1$ taken with the formula of the middle case
 :::
 */

@@ -48,11 +48,13 @@ this can be computed is decided here.
 :printed: One usually defines NURBS curves by the recursion of de Boor and Cox, but it lacks an intuitive geometric meaning; from the existence and
   uniqueness of the envelope of families of NURBS curves we give an entirely new, intuitive geometric definition of them, for the first time in the world; it is a
   powerful tool for their study
-:reading: every_level_divides_its_edges | that taken for points the recursion has a geometric meaning, against the sentence: the chapter itself states it for
-  algorithm 4.1.1; every level cuts the corners of the polygon
+:reading: member_of_span_touches_curve | that the curve is an envelope of its families, as theorem 4.3.1 has it, where $\mathbf r'\ne0$
+:reading-with: envelope_condition_holds_on_the_diagonal
 :reading: convex_quartic_of_span_has_second_envelope | that the envelope of every such family is unique, as theorem 4.3.3 has it
-:reading: that the meaning is not intuitive, and the definition a powerful tool: opinions; as history, that nobody gave such a definition before: no
-  computation decides it.
+:reading: that the recursion lacks an intuitive meaning, and that the definition is a powerful tool: opinions; a geometric meaning it has, for points, by
+  algorithm 4.1.1: every level divides the edges of the one before
+:reading: that one usually defines the curves by the recursion, and that nobody gave such a definition before: history, which no computation decides
+:confirmed-by: every_level_divides_its_edges
 :figure: deboor_triangle
 :::
 

@@ -93,7 +93,7 @@ the half line and its end: what goes wrong further on goes wrong there.
 :zh: 参数变换及其逆
 :printed: t=\frac{au+b}{u+1},\ 0\le u\le+\infty;\qquad u=\frac{b-t}{t-a},\ a\le t\le b
 :holds-by: parameter_change_and_its_inverse
-:needs: parameter_change_needs_two_ends | (3.4.3), which is written for an interval $[a,b]$ | $a<b$: for $a=b$ the interval is a point
+:needs: parameter_change_needs_two_ends | (3.3.1), which divides by $b-a$ | $a<b$: for $a=b$ the interval is a point
 
 $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the value $u=+\infty$ stands for $t=a$, where the second formula divides by 0.
 :::
@@ -865,7 +865,8 @@ CLAIM(rows_of_the_determinant_are_shifted_equations)
 :printed: By the theory of the resultant of polynomials the resultant $F(x,y)$ of (3.4.5) must be 0, at the points of the curve.
 :holds-by: rows_of_the_determinant_are_shifted_equations sums_are_the_denominator_times_a_difference parameter_change_and_its_inverse
   change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
-:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; at $\mathbf R_0$ its first column is 0.
+:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0.
+:argued: $t=a$, too | At $\mathbf R_0$ the first column of the matrix is 0.
 :confirmed-by: equation_vanishes_on_the_curve implicit_value_vanishes_on_the_curve
 
 The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.

@@ -84,74 +84,107 @@ is the same.
 :::{claim} conics_touching_two_lines_are_limings
 :title: There are no other conics that touch the two lines there
 :zh: 切于两定点的二次曲线都在 Liming 束中
-:given: the frame $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$ of a triangle, and any conic $S$
-:let: $c_1=S(R_0)$, $c_2=S_x(R_0)$, $c_3=S(R_2)$, $c_4=S_y(R_2)$, $\kappa=c_1-c_2-c_3+c_4$
-:then: $S=A(x+y-1)^2+2(B-A)xy+\kappa(y^2-2y)+c_2x+c_4y+c_1-c_2$; so a conic through $R_0$ and $R_2$ whose
-  gradient has no component along $l_1$ in $R_0$ and none along $l_2$ in $R_2$, all $c_i$ being 0, is a combination
+:given: three points $R_0,R_1,R_2$ of the plane, any conic $S$, with the gradient $\nabla S$ and the quadratic form $q$ of its terms of degree two
+:let: $[XYZ]$ the determinant of three points, $D=[R_0R_1R_2]$; $l_1=[R_0R_1X]$, $l_2=[R_1R_2X]$, $l_3=[R_2R_0X]$; $u=R_0-R_1$, $v=R_2-R_1$; $c_1=S(R_0)$,
+  $c_2=\nabla S(R_0)\cdot u$, $c_3=S(R_2)$, $c_4=\nabla S(R_2)\cdot v$, $\kappa=c_1-c_2-c_3+c_4$
+:then: $D^2S=q(u)\,l_3^2+2(q(u,v)-q(u))\,l_1l_2+\kappa\,(l_1^2-2Dl_1)+c_2Dl_2+c_4Dl_1+(c_1-c_2)D^2$ at every point $X$; so a conic through $R_0$ and $R_2$ whose
+  gradient has no component along $l_1=0$ in $R_0$ and none along $l_2=0$ in $R_2$, all $c_i$ being 0, is in a triangle, $D\ne0$, a combination
   of $l_3^2$ and $l_1l_2$
-:method: An identity of polynomials in $x$ and $y$ with the six coefficients of $S$ variables.  An affine map takes any
-  triangle to this one.
-:over: S#: conics
-:control: $B-A$ replaced by $B$
+:method: An identity of polynomials in the coordinates of $X$, with the three points and the six coefficients of $S$ variables.
+:over: S#: conics; R#: points; x; y
+:control: $q(u,v)-q(u)$ replaced by $q(u,v)$
 :::
 */
+/* The determinant of three points. */
+static num G(three)(const num X[2], const num Y[2], const num Z[2])
+{
+    num u[2] = {sub(Y[0], X[0]), sub(Y[1], X[1])}, v[2] = {sub(Z[0], X[0]), sub(Z[1], X[1])};
+    return G(cross2)(u, v);
+}
+
+/* q(u,v), the terms of degree two of S. */
+static num G(bilinear)(const num S[], const num u[2], const num v[2])
+{
+    num mixed = add(mul(u[0], v[1]), mul(u[1], v[0]));
+    return add(mul(S[0], mul(u[0], v[0])), add(mul(S[1], mixed), mul(S[2], mul(u[1], v[1]))));
+}
+
+/* The derivative of S at X along u. */
+static num G(slope_along)(const num S[], const num X[2], const num u[2])
+{
+    num g[2];
+    G(conic_gradient)(S, X[0], X[1], g);
+    return add(mul(g[0], u[0]), mul(g[1], u[1]));
+}
+
 CLAIM(conics_touching_two_lines_are_limings)
 {
-    num S[6], g0[2], g2[2], x = unknown(T, "x", 0), y = unknown(T, "y", 0), zero = from_int(0), one = from_int(1);
-    num two = from_int(2), s = sub(add(x, y), one);
+    num S[6], R[3][2], X[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, two = from_int(2);
+    for (int i = 0; i < 6; i++)
+        R[i / 2][i % 2] = unknown(T, "R", i);
     G(six)(T, "S", S);
-    G(conic_gradient)(S, one, zero, g0);
-    G(conic_gradient)(S, zero, one, g2);
-    num c1 = G(form)(S, one, zero), c2 = g0[0], c3 = G(form)(S, zero, one), c4 = g2[1];
-    num kappa = add(sub(sub(c1, c2), c3), c4);
-    /* S = A (x+y-1)² + 2 (B-A) xy + κ (y² - 2y) + c_2 x + c_4 y + c_1 - c_2 */
-    num member = add(mul(S[0], mul(s, s)), mul(mul(two, fault(T, sub(S[1], S[0]), S[1])), mul(x, y)));
-    num rest = add(mul(kappa, sub(mul(y, y), mul(two, y))), add(mul(c2, x), add(mul(c4, y), sub(c1, c2))));
-    same(T, G(form)(S, x, y), add(member, rest));
+    num u[2] = {sub(R[0][0], R[1][0]), sub(R[0][1], R[1][1])}, v[2] = {sub(R[2][0], R[1][0]), sub(R[2][1], R[1][1])};
+    num D = G(three)(R[0], R[1], R[2]), DD = mul(D, D);
+    num l1 = G(three)(R[0], R[1], X), l2 = G(three)(R[1], R[2], X), l3 = G(three)(R[2], R[0], X);
+    num c1 = G(form)(S, R[0][0], R[0][1]), c2 = G(slope_along)(S, R[0], u);
+    num c3 = G(form)(S, R[2][0], R[2][1]), c4 = G(slope_along)(S, R[2], v);
+    num kappa = add(sub(sub(c1, c2), c3), c4), quv = G(bilinear)(S, u, v), quu = G(bilinear)(S, u, u);
+    num member = add(mul(quu, mul(l3, l3)), mul(mul(two, fault(T, sub(quv, quu), quv)), mul(l1, l2)));
+    num rest = add(mul(kappa, sub(mul(l1, l1), mul(two, mul(D, l1)))),
+                   add(mul(mul(c2, D), l2), add(mul(mul(c4, D), l1), mul(sub(c1, c2), DD))));
+    same(T, mul(DD, G(form)(S, X[0], X[1])), add(member, rest));
 }
 
 /*
 :::{claim} conics_touching_parallel_lines_are_limings
 :title: The same with two parallel lines
 :zh: 两条平行线时亦然
-:given: $l_1=x-1$, $l_2=x+1$, $l_3=y$, $R_0=(1,0)$, $R_2=(-1,0)$, a number $\lambda$, and any conic $S$
-:let: $c_1=S(R_0)$, $c_2=S(R_2)$, $c_3=S_y(R_0)$, $c_4=S_y(R_2)$
-:then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is 0 in $R_0$ and $R_2$, with the gradients $(1-\lambda)(2,0)$ and $(1-\lambda)(-2,0)$;
-  and $S=A\,l_1l_2+C\,l_3^2+\frac{c_3-c_4}2xy+\frac{c_1-c_2}2x+\frac{c_3+c_4}2y+\frac{c_1+c_2}2$, so that a conic through
-  $R_0$ and $R_2$ whose gradient has no component along the lines there, all $c_i$ being 0, is a combination of $l_1l_2$
+:given: two points $R_0$, $R_2$ of the plane, a direction $d$, a number $\lambda$, and any conic $S$, with the quadratic form $q$ of its terms of degree two
+:let: $l_1$ and $l_2$ the determinants of $X-R_0$ and of $X-R_2$ with $d$, $l_3$ that of $R_0-R_2$ with $X-R_2$; $e=R_0-R_2$, $D$ the determinant of $e$ and $d$; $c_1=S(R_0)$,
+  $c_2=S(R_2)$, $c_3=\nabla S(R_0)\cdot d$, $c_4=\nabla S(R_2)\cdot d$
+:then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is 0 in $R_0$ and $R_2$, with the gradients $(1-\lambda)D\,\nabla l_1$ and $-(1-\lambda)D\,\nabla l_2$;
+  and $D^2S=q(e)\,l_1l_2+q(d)\,l_3^2+(c_3-c_4)\,\frac{l_1+l_2}2\,l_3+(c_1-c_2)\,D\,\frac{l_1+l_2}2+\frac{c_3+c_4}2\,Dl_3+\frac{c_1+c_2}2\,D^2$ at every point $X$, so that a conic through
+  $R_0$ and $R_2$ whose gradient has no component along the lines there, all $c_i$ being 0, is for $D\ne0$ a combination of $l_1l_2$
   and $l_3^2$
-:method: Identities in $\lambda$, $x$, $y$ and the six coefficients of $S$.  An affine map takes any two parallel lines,
-  and a third that cuts them, to these.
-:over: S#: conics; k: λ
+:method: Identities in $\lambda$, the coordinates of $X$, $R_0$, $R_2$ and $d$, and the six coefficients of $S$.
+:over: S#: conics; R#: points; d#: directions; k: λ; x; y
 :control: $c_3+c_4$ for $c_3-c_4$
 :::
 */
 CLAIM(conics_touching_parallel_lines_are_limings)
 {
-    num S[6], M[6], g0[2], g2[2], x = unknown(T, "x", 0), y = unknown(T, "y", 0), lambda = unknown(T, "k", 0);
-    num zero = from_int(0), one = from_int(1), minus = from_int(-1), half = from_ratio(1, 2), mu = sub(one, lambda);
-    num l1[3] = {one, zero, minus}, l2[3] = {one, zero, one}, l3[3] = {zero, one, zero};
+    num S[6], M[6], R[2][2], X[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, lambda = unknown(T, "k", 0), g[2];
+    num d[2] = {unknown(T, "d", 0), unknown(T, "d", 1)}, mu = sub(from_int(1), lambda), half = from_ratio(1, 2);
+    for (int i = 0; i < 4; i++)
+        R[i / 2][i % 2] = unknown(T, "R", i);
+    num e[2] = {sub(R[0][0], R[1][0]), sub(R[0][1], R[1][1])}, D = G(cross2)(e, d), DD = mul(D, D);
+    /* lines as three coefficients */
+    num l1[3] = {d[1], neg(d[0]), neg(G(cross2)(R[0], d))}, l2[3] = {d[1], neg(d[0]), neg(G(cross2)(R[1], d))};
+    num l3[3] = {neg(e[1]), e[0], neg(G(cross2)(e, R[1]))};
     G(conic_liming)(lambda, l1, l2, l3, M);
-    G(conic_gradient)(M, one, zero, g0);
-    G(conic_gradient)(M, minus, zero, g2);
-    about(T, "the members at R0 and R2");
-    vanishes(T, G(form)(M, one, zero));
-    vanishes(T, G(form)(M, minus, zero));
-    about(T, "the gradients of the members");
-    same(T, g0[0], mul(mu, from_int(2)));
-    same(T, g2[0], mul(mu, from_int(-2)));
-    vanishes(T, g0[1]);
-    vanishes(T, g2[1]);
+    for (int end = 0; end < 2; end++) {
+        const num *line = end == 0 ? l1 : l2;
+        num factor = end == 0 ? mul(mu, D) : neg(mul(mu, D));
+        about(T, "a member at its end");
+        vanishes(T, G(form)(M, R[end][0], R[end][1]));
+        about(T, "the gradient of a member");
+        G(conic_gradient)(M, R[end][0], R[end][1], g);
+        same(T, g[0], mul(factor, line[0]));
+        same(T, g[1], mul(factor, line[1]));
+    }
     G(six)(T, "S", S);
-    G(conic_gradient)(S, one, zero, g0);
-    G(conic_gradient)(S, minus, zero, g2);
-    num c1 = G(form)(S, one, zero), c2 = G(form)(S, minus, zero), c3 = g0[1], c4 = g2[1];
-    /* S = A (x² - 1) + C y² + (c_3-c_4)/2 xy + (c_1-c_2)/2 x + (c_3+c_4)/2 y + (c_1+c_2)/2 */
-    num member = add(mul(S[0], sub(mul(x, x), one)), mul(S[2], mul(y, y)));
-    num rest = add(mul(mul(half, fault(T, sub(c3, c4), add(c3, c4))), mul(x, y)), mul(mul(half, sub(c1, c2)), x));
-    rest = add(rest, add(mul(mul(half, add(c3, c4)), y), mul(half, add(c1, c2))));
+    num c1 = G(form)(S, R[0][0], R[0][1]), c2 = G(form)(S, R[1][0], R[1][1]);
+    num c3 = G(slope_along)(S, R[0], d), c4 = G(slope_along)(S, R[1], d), at[3];
+    for (int l = 0; l < 3; l++) {
+        const num *line = l == 0 ? l1 : l == 1 ? l2 : l3;
+        at[l] = add(add(mul(line[0], X[0]), mul(line[1], X[1])), line[2]);
+    }
+    num middle = mul(half, add(at[0], at[1]));
+    num member = add(mul(G(bilinear)(S, e, e), mul(at[0], at[1])), mul(G(bilinear)(S, d, d), mul(at[2], at[2])));
+    num rest = add(mul(mul(fault(T, sub(c3, c4), add(c3, c4)), middle), at[2]), mul(mul(sub(c1, c2), D), middle));
+    rest = add(rest, add(mul(mul(half, add(c3, c4)), mul(D, at[2])), mul(mul(half, add(c1, c2)), DD)));
     about(T, "any conic");
-    same(T, G(form)(S, x, y), add(member, rest));
+    same(T, mul(DD, G(form)(S, X[0], X[1])), add(member, rest));
 }
 
 #if RATIONAL

@@ -17,7 +17,7 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle ratios_on_the_curve
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
 :needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
-  R_0,R_2$, and the tangent is parallel to no side.
+  R_0,R_2$, and the tangent is parallel to neither $l_1=0$ nor $l_2=0$.
 :::
 
 :::{statement} wang-ch3:3.1-R-from-g
@@ -28,7 +28,7 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs; the example compares the
   coordinate $x$ of the point.
 :needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
-  R_0,R_2$, and the tangent is parallel to no side.
+  R_0,R_2$, and the tangent is parallel to neither $l_1=0$ nor $l_2=0$.
 :::
 
 :::{claim} signed_ratios_give_the_point

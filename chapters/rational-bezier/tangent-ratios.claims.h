@@ -549,7 +549,7 @@ while the sentence is about every curve of the family.
 :refuted-by: product_of_lengths_is_not_printed product_of_ratios_can_be_negative
 :corrected: $g_1g_2=\frac{4\lambda}{1-\lambda}=\mathrm{const}>0$ on every curve of (3.1.4) with the minus sign and
   $0<\lambda<1$, in the triangle and outside, at every point where both ratios exist: all but $R_0$, $R_2$ and those with
-  a tangent parallel to a side
+  a tangent parallel to $l_1=0$ or $l_2=0$
 :corrected-by: product_of_ratios_is_constant
 :confirmed-by: product_of_ratios_is_positive_inside
 :reading: product_of_ratios_is_constant | only the curves of points of the triangle are spoken of, with the minus sign, as where the source names $\lambda\in(0,1)$: then
@@ -574,7 +574,7 @@ ratios is $-4\lambda/(1-\lambda)$.
 :printed: The value of $g_1g_2$ does not depend on the moving point $R$.
 :holds-by: product_of_ratios_is_constant
 :needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
-  R_0,R_2$, and the tangent is parallel to no side.
+  R_0,R_2$, and the tangent is parallel to neither $l_1=0$ nor $l_2=0$.
 :figure: tangent_ratios
 :::
 

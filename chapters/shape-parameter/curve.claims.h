@@ -86,7 +86,8 @@ CLAIM(curve_kernels_give_the_sum)
 :figure: curves_for_several_beta
 :degree: 7
 
-With the printed functions and with the corrected ones it is a Bézier curve of nine points.  Its degree is at most 8; for $\beta=0$ it is at most 7.
+With the printed functions and with the corrected ones it is a Bézier curve of nine points; computed coordinate by coordinate for points of the plane, and so in
+every dimension.  Its degree is at most 8; for $\beta=0$ it is at most 7.
 :::
 
 :::{claim} bezier_points_divide_the_edges

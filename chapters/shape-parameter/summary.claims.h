@@ -93,7 +93,7 @@ Outward has the sense of `property-3.5`.
 :printed: the curve has better adjustability and better approximation than the Bézier curve of degree seven
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
-:corrected: adjustable it is, but for the polygons $P,P,P,P,Q,Q,Q,Q$ with the corrected functions and $0,0,0,0,5v,v,v,v$ with the printed
+:corrected: adjustable it is, but for the polygons $P,P,P,P,Q,Q,Q,Q$ with the corrected functions (`sec-2-properties`) and $0,0,0,0,5v,v,v,v$ with the printed
   ones; by the largest distance of its points from the polygon the curve of $\beta=1$ is
   nearer than that of $\beta=0$ to the convex polygon of the last decision, and not to the one of the first counterexample
 :corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one
