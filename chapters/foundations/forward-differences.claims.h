@@ -319,6 +319,8 @@ $\delta$; the places $i\delta$ are reached by $i$ steps and not by one.
 :printed: P_1=P_0+\Delta P_0,\quad\Delta P_1=\Delta P_0+\Delta^2P_0,\quad\Delta^2P_1=\Delta^2P_0+\Delta^3P_0,\quad\Delta^3P_1=\Delta^3P_0
 :holds-by: printed_lines_step_a_cubic
 :confirmed-by: step_takes_differences_to_the_next_place
+:meant: the sentence behind it, by which additions lead from $t=0$ to $\delta,2\delta,\dots$ one after the other | $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at
+  $t=\delta$, not at the $t=i\delta$ that is printed for them.
 :figure: forward_differences
 :::
 
