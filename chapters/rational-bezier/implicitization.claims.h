@@ -94,8 +94,9 @@ the half line and its end: what goes wrong further on goes wrong there.
 :printed: t=\frac{au+b}{u+1},\ 0\le u\le+\infty;\qquad u=\frac{b-t}{t-a},\ a\le t\le b
 :holds-by: parameter_change_and_its_inverse
 :needs: parameter_change_needs_two_ends | (3.4.3), which is written for an interval $[a,b]$ | $a<b$: for $a=b$ the interval is a point
+:meant: the second formula, which divides by 0 for $t=a$ | The value $u=+\infty$ stands for $t=a$.
 
-$t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the value $u=+\infty$ stands for $t=a$, where the second formula divides by 0.
+$t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$.
 :::
 
 :::{claim} parameter_change_and_its_inverse
@@ -167,8 +168,9 @@ CLAIM(parameter_change_needs_two_ends)
 :confirmed-by: curve_in_the_new_parameter
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that the denominator does not vanish for $u\ge0$
+:meant: (3.4.3), where $u=+\infty$ stands for $t=a$ | At $u=+\infty$ the quotients are limits: $R_0=R(a)$, as $\omega_0\ne0$.
 
-With $\frac{t-a}{b-a}=\frac1{u+1}$ the Bernstein sums of (3.3.1) become powers of $u$.  At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
+With $\frac{t-a}{b-a}=\frac1{u+1}$ the Bernstein sums of (3.3.1) become powers of $u$.
 :::
 */
 
