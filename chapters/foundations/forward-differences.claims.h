@@ -327,20 +327,20 @@ $\delta$; the places $i\delta$ are reached by $i$ steps and not by one.
 :::{claim} step_takes_differences_to_the_next_place
 :title: The step of the table takes the differences at one place to those at the next
 :zh: 差分表前进一步
-:given: any coefficients in the plane, any $t$ and $\delta\ne0$
+:given: any coefficients in space, any $t$ and $\delta\ne0$
 :where: $\delta\ne0$
 :then: `power_difference_step`, and with the rows divided by $\delta^k$ `power_scaled_difference_step`, take the differences at $t$ to those
   at $t+\delta$
 :method: The kernels on the alternating sums at $t$, against those at $t+\delta$.
 :degrees: 1..6 sampled 12
-:over: x# y#: coefficients; d: δ
+:over: x# y# z#: coefficients; d: δ
 :defines: power_difference_step power_scaled_difference_step
 :control: the differences at $t+2\delta$
 :::
 */
 CLAIM(step_takes_differences_to_the_next_place)
 {
-    enum { dim = 2 };
+    enum { dim = 3 };
     int n = T->degree;
     num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], e[(MAX_DEGREE + 1) * dim];
     num t = parameter(T, "t"), delta = positive(T, "d", 0), next = add(t, delta);
