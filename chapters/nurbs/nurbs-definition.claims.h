@@ -29,9 +29,9 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
 :reading: outer_knots_do_not_count | the partition is without end; $t_2,\dots,t_{n+k-1}$ are all that counts on the domain
 :reading: control_point_of_space_is_not_enough | the points are points of space in homogeneous coordinates: the factor of the
   coordinates counts, so that a control point is a point together with its weight
+:meant: the name control polygon of the $\tilde r_i$, $i=1,2,\dots,n$ | The polygon is $\tilde r_1\tilde r_2\cdots\tilde r_n$, see
+  `def-4.1.1-polygon`.
 :figure: nurbs_definition
-
-The first point of the polygon is printed with the index $i$, see `def-4.1.1-polygon`.
 :::
 */
 
