@@ -661,10 +661,11 @@ CLAIM(function_is_negative_outside_the_interval)
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :needs: curve_leaves_hull_outside_the_interval | the definition of the curve, $0\le t\le1$ | $0\le t\le1$; with equal weights,
   as in this example, the rational curve is the Bézier curve
+:meant: the set $M$ and the properties of the functions, which stand below the heading | The points of the curve belong to $M$, the numbers
+  $\lambda_i$ being the values of the functions.
 :figure: bezier_hull
 
-No sentence says what the property is.  The set and the properties of the functions that are printed below the heading leave one meaning: the
-points of the curve belong to $M$, the numbers $\lambda_i$ being the values of the functions.
+No sentence says what the property is.
 :::
 */
 #include "chapters/judge/claims_off.h"

@@ -45,9 +45,8 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :holds-by: equal_unit_tangents_fix_the_ratio
 :needs: negative_ratio_turns_back | the line itself: $a>0$ | $a>0$
 :hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: else the tangent may be continuous although there is no such $a$
+:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition` | The two unit tangents at the joint are equal.
 :figure: joint_of_cubics
-
-$G^1$ is meant as the slides define it, by the arc length, `slides-ch4:1-gk-definition`: the two unit tangents at the joint are equal.
 :::
 
 The step from derivatives to edges is a division by 3, and nothing can go wrong in it.  What can go wrong was there before: a derivative

@@ -320,26 +320,28 @@ $\delta$; the places $i\delta$ are reached by $i$ steps and not by one.
 :holds-by: printed_lines_step_a_cubic
 :meant: the lines themselves, one addition each | The differences with the index 1 are those at $t=\delta$, the next place, and not at $t=i\delta$.
 :confirmed-by: step_takes_differences_to_the_next_place
+:meant: the sentence behind it, by which additions lead from $t=0$ to $\delta,2\delta,\dots$ one after the other | $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at
+  $t=\delta$, not at the $t=i\delta$ that is printed for them.
 :figure: forward_differences
 :::
 
 :::{claim} step_takes_differences_to_the_next_place
 :title: The step of the table takes the differences at one place to those at the next
 :zh: 差分表前进一步
-:given: any coefficients in the plane, any $t$ and $\delta\ne0$
+:given: any coefficients in space, any $t$ and $\delta\ne0$
 :where: $\delta\ne0$
 :then: `power_difference_step`, and with the rows divided by $\delta^k$ `power_scaled_difference_step`, take the differences at $t$ to those
   at $t+\delta$
 :method: The kernels on the alternating sums at $t$, against those at $t+\delta$.
 :degrees: 1..6 sampled 12
-:over: x# y#: coefficients; d: δ
+:over: x# y# z#: coefficients; d: δ
 :defines: power_difference_step power_scaled_difference_step
 :control: the differences at $t+2\delta$
 :::
 */
 CLAIM(step_takes_differences_to_the_next_place)
 {
-    enum { dim = 2 };
+    enum { dim = 3 };
     int n = T->degree;
     num c[(MAX_DEGREE + 1) * dim], d[(MAX_DEGREE + 1) * dim], e[(MAX_DEGREE + 1) * dim];
     num t = parameter(T, "t"), delta = positive(T, "d", 0), next = add(t, delta);

@@ -207,9 +207,8 @@ learned by heart.
 :needs: singular_end_has_no_ratio | the line itself, where $\lambda$ is the quotient of the lengths of tangent vectors | neither derivative is 0 at the
   joint; as where there are unit tangent vectors: with $\dot P_{\mathrm I}(1)=0$ the tangents may be one although there is no $\lambda$, and with
   $\dot P_{\mathrm{II}}(0)=0$ alone $\lambda=0$, whatever the tangents are.
+:meant: the other side of the equation, which is about the first piece, I | The index $x$ is II, that of the second piece.
 :figure: joints_of_order
-
-The index $x$ is read as II, that of the second piece.
 :::
 
 :::{claim} equal_unit_tangents_fix_the_ratio
@@ -321,9 +320,10 @@ curvature that grows without bound.
   for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
 :needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector.
+:meant: the other side of the equation, which is about the first piece, I | The index $x$ is II, that of the second piece.
 :figure: joints_of_order
 
-The index $x$ is read as II.  Decided is that the condition suffices.
+Decided is that the condition suffices.
 :::
 
 :::{statement} hu-1987:1-5-3-beta

@@ -77,9 +77,9 @@ the line that turns back, the trouble begins where the point stands still.
   continuous, and the regularity condition above is satisfied, the curve is called continuous of class $C^r$.
 :checked-by: cusp_of_the_example_is_a_cusp
 :example: a curve whose coordinates are polynomials, and which is of no class.
+:meant: the usual notion of the class $C^r$, as the words are out of order | The derivatives of the orders 1 to $r$.
 :figure: cusp_and_its_derivative
 
-The words are out of order, and are read as: the derivatives of the orders 1 to $r$.
 The curve of the example has the derivative 0 at $t=\frac12$, so that by this definition it is of no class there.
 :::
 
@@ -599,9 +599,8 @@ shows.
 :corrected: The point moves forward on $[0,t_1]$, backward on $[t_1,t_2]$, and forward again on $[t_2,1]$, with
   $t_{1,2}=(5\mp\sqrt5)/10$.
 :corrected-by: point_moves_forward_back_and_forward singular_parameters_of_the_line
+:meant: the word again (又) | A clause about the way back is missing, to which that word refers.
 :figure: one_line_two_parameters
-
-Read as a sentence in which a clause about the way back is missing, to which the word "again" (又) refers.
 :::
 */
 

@@ -127,9 +127,9 @@ curve has to be taken at a place where it is not; there one sees that the sixth 
 :corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$
 :corrected-by: torsion_by_speed_and_curvature torsion_belongs_to_arc_length
 :hypothesis: torsion_divides_by_zero_at_an_inflection | $\dot P\times\ddot P\ne0$: in the correction; elsewhere it is divided by 0
+:meant: the curvature put right, `1-4-curvature`, and the third derivative $6A$ at the end of the chain behind the formula | $\dddot P$ stands in the last
+  place and $\dot s$ below, so that the power alone is tried.
 :figure: torsion_and_the_speed
-
-The formula is read with $\dddot P$ in the last place and $\dot s$ below, so that the power alone is tried.
 :::
 
 :::{claim} printed_power_spoils_the_torsion

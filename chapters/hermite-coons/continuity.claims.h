@@ -37,9 +37,8 @@ being continuous, one that has their limits without being continuous itself.
 :hypothesis: equal_limits_do_not_make_a_continuous_function | the values are counted as the derivatives of order 0
 :figure: differentiable_without_continuity
 
-Read with difference quotients from either side, the condition says that $f$ is differentiable at $x_0$, and not that $f'$ is continuous
-there;
-read with limits of $f',\dots,f^{(k)}$ from either side it does not even say that $f$ is continuous.
+By difference quotients from either side the condition says that $f$ is differentiable at $x_0$, and not that $f'$ is continuous there;
+by limits of $f',\dots,f^{(k)}$ from either side it does not even say that $f$ is continuous.
 :::
 */
 

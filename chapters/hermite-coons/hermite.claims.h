@@ -710,9 +710,10 @@ In the text at hand the formulas have no signs and no primes; those shown here a
   $P(u)=\varphi(0)q_{00}(u)+\varphi(1)q_{01}(u)+\varphi'(0)q_{10}(u)+\varphi'(1)q_{11}(u)$
 :holds-by: unit_blending_functions
 :needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:meant: the arguments 0 and 1 where the $f$ of the data has $t_0$ and $t_1$ | $\varphi$ is the polynomial as a function of $u$.
 :figure: hermite_blending_functions
 
-The letter $\varphi$ stands for the polynomial as a function of $u$.  In the text at hand the formulas have no signs and no primes; those
+In the text at hand the formulas have no signs and no primes; those
 shown here are true.
 :::
 

@@ -340,9 +340,8 @@ the different knots.  So they settle every multiplicity of the knots around a sp
   $\tau_1(T_i)<\tau_2(T_i)<\dots<\tau_{d(T_i)}(T_i)$
 :definition: yes
 :checked-by: compositions_are_all_multiplicities
+:meant: the range $q=1,2,\dots,d(T_i)$ behind it | $l_q(T_i)>0$, where $l_a$ is printed, see `notation-4.4`.
 :figure: matrices_of_merging_knots
-
-Printed is $l_a$ for $l_q$, see `notation-4.4`.
 :::
 
 :::{statement} wang-ch4:formula-4.4.11

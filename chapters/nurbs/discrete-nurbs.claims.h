@@ -28,9 +28,11 @@ begin with $\alpha_{i,1}(j)=1$ for $t_i\le t'_j<t_{i+1}$, $t'_j$ the knots of $T
 :checked-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
 :confirmed-by: nothing_inserted_changes_nothing
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a vertex may not exist
+:meant: theorem 4.1.1, whose points (4.1.6) are the new control points | The polygon of the points (4.1.6); its index, an iota in print, is the order $k$, see
+  `notation-order`.
 :figure: nurbs_polygons_converge
 
-The index is $\iota$ for $k$, see `notation-order`.  Read as the polygon of the points (4.1.6).  For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
+For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
 $i=j$ and $0$ otherwise.
 :::
 */

@@ -781,8 +781,9 @@ The places are the numbers $0,\dots,k$, each once.
 :zh: 系数依赖于节点而与 f 无关
 :printed: \alpha_{ii}(T)\ \text{depends on }T\text{ and not on }f
 :holds-by: printed_weights_give_divided_difference weights_are_the_only_ones
+:meant: (4.4.9), whose numbers are the $\alpha_{ij}(T)$ | All $\alpha_{ij}(T)$, of which the indices are printed $ii$, see `notation-4.4`.
 
-Printed are the indices $ii$ for $ij$, see `notation-4.4`.  Only nodes and multiplicities enter the cofactors, and because the
+Only nodes and multiplicities enter the cofactors, and because the
 values of $f$ are free no other weights do the same.
 :::
 

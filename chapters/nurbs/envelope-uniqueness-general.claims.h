@@ -287,9 +287,11 @@ The formulas are right; at multiple knots they contain terms $0/0$, which stand 
 :printed: (t_{i+k-r}-t_i)(w_i^{[r]}(\tau)-w_i^{[r]}(t))=(\tau-t)(w_i^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(\tau))+(t-t_i)(w_i^{[r-1]}(\tau)-w_i^{[r-1]}(t))
   +(t_{i+k-r}-t)(w_{i-1}^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(t)),\quad i=j-k+r+1,j-k+r+2,\dots,j;\ t_i\le t,\tau<t_{i+1}
 :holds-by: weights_of_two_parameters_differ_as_printed
+:meant: (4.3.15), the formulas before it and the sums behind it, by which the span is that of $t_j$ | The range is $t_j\le t,\tau<t_{j+1}$, see
+  `notation-4.3`.
 :figure: nurbs_envelope_square
 
-An identity for any $t$ and $\tau$; the span is that of $t_j$, see `notation-4.3`.
+The equation is an identity for any $t$ and $\tau$.
 :::
 
 :::{claim} weights_of_two_parameters_differ_as_printed
@@ -601,9 +603,8 @@ CLAIM(span_has_its_own_letter) { agree(T, spans_have_their_letter(T)); }
 :printed: with $w_i^{[r]}(\tau)\mathbf r_i^{[r]}(\tau)$ in the place of $w_i^{[r]}(\tau)$ a similar equation holds
 :holds-by: weighted_points_by_sums_over_the_level_before
 :confirmed-by: family_steps_along_the_tangent level_by_sums_over_the_level_before
+:meant: the equation that is varied, `thm-4.3.3-chain` | The last two sums begin at $i=j-k+r$, and $0/0$ counts as $0$, as in that equation put right.
 :figure: nurbs_envelope_square
-
-The last two sums begin at $i=j-k+r$ here, too, and $0/0$ counts as $0$: see `thm-4.3.3-chain`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.17
@@ -613,9 +614,10 @@ The last two sums begin at $i=j-k+r$ here, too, and $0/0$ counts as $0$: see `th
   p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf r_i^{[r-1]}(\tau),\quad t_i\le t,\tau<t_{i+1}
 :definition: yes
 :checked-by: member_of_span_is_polar
+:meant: the sums, whose span is that of $t_j$ | The range is $t_j\le t,\tau<t_{j+1}$, see `notation-4.3`.
 :figure: order_and_level
 
-The span is that of $t_j$, see `notation-4.3`.  Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript counts levels, there it is the order.
+Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript counts levels, there it is the order.
 :::
 
 :::{statement} wang-ch4:formula-4.3.18

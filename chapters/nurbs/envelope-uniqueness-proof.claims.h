@@ -157,9 +157,9 @@ CLAIM(member_osculates_a_plane_through_the_origin)
   r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$,
   $i=j-k+r,j-k+r+1,\dots,j$, $t_j\le t,\tau<t_{j+1}$
 :holds-by: weighted_points_follow_the_recursion
+:meant: (4.1.4), by which the points of the levels are $\mathbf r_i^{[r]}$, while no $\mathbf p_i^{[r]}$ is defined | $\mathbf r_i$ for $\mathbf p_i$,
+  and $r\ge2$, so that there is a level $r-2$.
 :figure: points_off_the_plane
-
-For $r\ge2$, with $\mathbf r_i$ for $\mathbf p_i$.
 :::
 
 The triple product with two fixed vectors is a linear function, and every linear function of the weighted points obeys
@@ -286,10 +286,9 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :argued: | Either the last two factors are independent for one pair, and their normal is common to all points, or $R'\times R''$ is 0 for all pairs.  At $\tau=t$ it is
   $\mathbf r'\times\mathbf r''$ times a factor that is not 0, the derivatives being parallel; so this is 0 for all $t$, the segment is straight, as for
   `thm-4.3.2-coplanar`, and its points are on a line.
+:meant: the definitions, of which none has a $\mathbf p_i$, and by which the superscripts of $\mathbf r$ are orders, see `thm-4.3.3-alternatives` | The
+  products are those of $w_i\mathbf r_i$ with $\partial_tR$ and $\partial_t^2R$, $R=\mathbf r^{[k-r+1]}(t,\tau)$ being the member of the level before.
 :figure: nurbs_envelope_space
-
-The products are those of $w_i\mathbf r_i$ with $\partial_tR$ and $\partial_t^2R$, $R=\mathbf r^{[k-r+1]}(t,\tau)$ being the member of the level before, as in
-`thm-4.3.3-alternatives`.
 :::
 
 What is left is the conclusion from vanishing products to coplanar points.  At a pair with another solution the member

@@ -131,9 +131,11 @@ CLAIM(cofactor_is_signed_minor)
   $c=0$.  The inverse matrix by its cofactors solves (4.4.21) for the $N_{i,k}$, and their powers of $t$ are written in powers of $u$.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
+:meant: (4.4.17) and (4.4.19), in which both have two indices | $g^*_{\mu i}$ is the cofactor of $g_{\mu i}$: both have lost the index $i$, see
+  `notation-4.4`.
 :figure: both_matrices
 
-For $t_r=0$ the power $t_r^0$ is 1.  $g^*_{\mu i}$ is the cofactor of $g_{\mu i}$: both have lost the index $i$, see `notation-4.4`.
+For $t_r=0$ the power $t_r^0$ is 1.
 :::
 */
 

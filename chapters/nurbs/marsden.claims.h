@@ -563,9 +563,8 @@ CLAIM(one_level_needs_the_span)
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_takes_off_a_factor
 :needs: empty_span_has_no_level | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | the span is not empty: otherwise a fraction of $W_i^1$ divides by 0
+:meant: (4.4.14), which defines $\omega_{i,k}(x)$ | The second index of the first $\omega$, an iota in print, is the order $k$, see `notation-4.4`.
 :figure: marsden_identity
-
-The second index of the first $\omega$ is an iota; the order $k$ is meant, see `notation-4.4`.
 :::
 
 For the products $\omega_{i,k}$ one such step takes $x-t$ out: two neighbouring products have all factors in common

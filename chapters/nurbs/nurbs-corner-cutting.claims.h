@@ -694,10 +694,12 @@ of the same curve over the knots with the new one, with its new weights, and if 
 :confirmed-by: knots_are_inserted_in_any_order
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
+:meant: section 4.1, by which such a polygon has the order as its index | The polygon $\Gamma_k^{(T\oplus T')}(\Phi)$, of which the $k$ is left out,
+  see `notation-order`.
 :figure: cutting_corners
 
 The first is (4.1.7) for $T_1=T'$, $T_2=\{\tau_m\}$, the second (4.1.6) for the refined data with nothing inserted: both with the new weights, which the notation does
-not show; in the second equation the index $k$ is left out.  The sum $\oplus$ keeps multiplicities.
+not show.  The sum $\oplus$ keeps multiplicities.
 :::
 
 :::{claim} knots_are_inserted_in_any_order

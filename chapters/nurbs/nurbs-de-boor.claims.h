@@ -71,7 +71,7 @@ end.
 :::{claim} rational_triangle_follows_the_recursion
 :title: The levels of the kernel are those of (4.1.3) and (4.1.4)
 :zh: 核函数各层即 (4.1.3)、(4.1.4)
-:given: every segment, the distinct knots variables; weights and points of the plane, any $t$; every level
+:given: every segment, the distinct knots variables; weights and points of space, any $t$; every level
 :where: the weights of the levels are not 0
 :then: `nurbs_deboor_level`, level after level, gives $w_i^{[r]}$ and $r_i^{[r]}$; the last point and weight of the level before
   stay where they were
@@ -85,34 +85,37 @@ end.
 */
 CLAIM(rational_triangle_follows_the_recursion)
 {
+    enum { dim = 3 };
     int p = T->degree, k = p + 1, j = k;
     struct G(knot_vector) K = {0};
-    num R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2 * MOST_KNOTS], v[MOST_KNOTS], t = unknown(T, "t", 0);
-    G(weighted_points)(T, k, 2, R, w);
+    num R[dim * MOST_KNOTS], w[MOST_KNOTS], P[dim * MOST_KNOTS], v[MOST_KNOTS], t = unknown(T, "t", 0);
+    G(weighted_points)(T, k, dim, R, w);
     for (int number = G(segment_knots)(T, p, 0, &K); number > 0; number = G(segment_knots)(T, p, number, &K)) {
         for (int m = 0; m < k; m++) {
             v[m] = w[m];
-            P[2 * m] = R[2 * m];
-            P[2 * m + 1] = R[2 * m + 1];
+            for (int c = 0; c < dim; c++)
+                P[dim * m + c] = R[dim * m + c];
         }
         for (int r = 1; r <= p; r++) {
             int points = k - r; /* after this level */
-            num last = v[points], end[2] = {P[2 * points], P[2 * points + 1]};
+            num last = v[points], end[dim];
+            for (int c = 0; c < dim; c++)
+                end[c] = P[dim * points + c];
             for (int m = 0; T->faulty && r == p && m <= points; m++)
                 v[m] = last = from_int(1);
-            G(nurbs_deboor_level)(G(nurbs_on_span)(p, 2, K.u, j - 1, NULL, NULL), r, P, v, t);
+            G(nurbs_deboor_level)(G(nurbs_on_span)(p, dim, K.u, j - 1, NULL, NULL), r, P, v, t);
             for (int m = 0; m < points; m++) {
                 int i = j - k + r + 1 + m;
                 about(T, "w_i^[r]");
                 same(T, v[m], G(printed_weight)(k, K.u, w, r, i, t));
                 about(T, "r_i^[r]");
-                for (int c = 0; c < 2; c++)
-                    same(T, P[2 * m + c], G(printed_point)(k, 2, K.u, R, w, r, i, c, t));
+                for (int c = 0; c < dim; c++)
+                    same(T, P[dim * m + c], G(printed_point)(k, dim, K.u, R, w, r, i, c, t));
             }
             about(T, "the last of the level before");
             same(T, v[points], last);
-            for (int c = 0; c < 2; c++)
-                same(T, P[2 * points + c], end[c]);
+            for (int c = 0; c < dim; c++)
+                same(T, P[dim * points + c], end[c]);
         }
     }
 }

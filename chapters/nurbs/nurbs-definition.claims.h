@@ -29,9 +29,9 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
 :reading: outer_knots_do_not_count | the partition is without end; $t_2,\dots,t_{n+k-1}$ are all that counts on the domain
 :reading: control_point_of_space_is_not_enough | the points are points of space in homogeneous coordinates: the factor of the
   coordinates counts, so that a control point is a point together with its weight
+:meant: the name control polygon of the $\tilde r_i$, $i=1,2,\dots,n$ | The polygon is $\tilde r_1\tilde r_2\cdots\tilde r_n$, see
+  `def-4.1.1-polygon`.
 :figure: nurbs_definition
-
-The first point of the polygon is printed with the index $i$, see `def-4.1.1-polygon`.
 :::
 */
 
@@ -563,9 +563,10 @@ hide unequal weights, independent ones cannot.
   less than degree $k-1$ on it | The coefficients $N_{i,k}(w_i-w(t))$ sum up to 0, so that for affinely independent points each of them is 0; no $N_{i,k}$ of the span is 0, so every $w_i$ is $w(t)$, and all
   are equal.  In space more than 4 points are not: there the numerator, of
   degree $k-1$ at most, is $w(t)$ times a polynomial of degree $k-1$, so that $w(t)$ is constant, and the $N_{i,k}$ being linearly independent and of sum 1, every $w_i$ is this constant.
+:meant: the words B-spline curve, as (2.2.1) is not in the text at hand | The curve (2.2.1) is $\sum_{i=1}^nN_{i,k}(t)r_i$.
 :figure: nurbs_definition
 
-At $t_{n+1}$ both are limits from the left, as `def-4.1.1-interval` says.  The formula (2.2.1) is not in the text at hand; it is read as $\sum_{i=1}^nN_{i,k}(t)r_i$.
+At $t_{n+1}$ both are limits from the left, as `def-4.1.1-interval` says.
 :::
 
 :::{claim} equal_weights_give_bspline

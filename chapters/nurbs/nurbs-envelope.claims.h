@@ -474,9 +474,8 @@ the right and knows nothing of the other; the source says so in passing, and it 
 :holds-by: member_of_span_touches_curve
 :needs: corner_has_two_tangents | the limit is printed from the right | the limit is from the right; from the left the
   curve may have, at a $(k-1)$-fold knot, another direction than the member of the span on the right
+:meant: the proof, which is about the span of $t_j$ and counts the terms of its sums by $i$ | The knot is $t_j$, the left end of the span.
 :figure: knot_sides
-
-The knot is $t_j$, the left end of the span that the proof is about; the letter $i$ counts the terms of its sums.
 :::
 */
 

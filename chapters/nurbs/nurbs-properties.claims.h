@@ -96,7 +96,7 @@ CLAIM(moved_point_changes_its_support)
 :title: A point of the curve is a mean of the k points of its span, with shares that are not negative
 :zh: 分段凸包性
 :types: field rational
-:given: several segments, with any positive gaps of the knots; positive weights, points of the plane; $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, in each interval, and both its ends, the right one as a limit from the left
+:given: several segments, with any positive gaps of the knots; positive weights, points of space; $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, in each interval, and both its ends, the right one as a limit from the left
 :then: $r(t)=\sum_{i=j-k+1}^j\lambda_ir_i$ with $\lambda_i=N_{i,k}(t)w_i/w(t)\ge0$ and $\sum_{i=j-k+1}^j\lambda_i=1$: $r(t)$ is in the convex hull of
   $r_{j-k+1},\dots,r_j$
 :method: The point by the kernel; the shares by the recursion by its letter, $w(t)$ being the sum of all $n$ terms; signs are read off coefficients in $s$, the gaps and
@@ -110,32 +110,33 @@ CLAIM(moved_point_changes_its_support)
 */
 CLAIM(point_is_in_the_hull_of_k_points)
 {
+    enum { dim = 3 };
     int p = T->degree;
     struct G(knot_vector) K = {.kind = FIELD && p > 4 ? INTEGERS : LENGTHS};
-    num R[2 * MOST_KNOTS], w[MOST_KNOTS], P[2];
+    num R[dim * MOST_KNOTS], w[MOST_KNOTS], P[dim];
     for (int k = G(several_knots)(T, p, 0, &K); k > 0; k = G(several_knots)(T, p, k, &K)) {
-        G(weighted_points)(T, K.n, 2, R, w);
+        G(weighted_points)(T, K.n, dim, R, w);
         for (int interval = K.place[p]; interval < K.place[K.n]; interval += 2) {
             int mu = G(span_of_interval)(K.count, K.place, interval), first = mu - p;
             num at[3] = {add(K.u[mu], mul(sub(K.u[mu + 1], K.u[mu]), inside(T, "s"))), K.u[mu], K.u[mu + 1]};
             for (int end = 0; end < 3; end++) { /* inside, and at both ends */
                 num t = at[end];
                 num total = G(spline_value)(K.n, p, 1, K.u, K.place, w, 0, interval, t), sum = from_int(0);
-                num mean[2] = {sum, sum};
+                num mean[dim] = {sum, sum, sum};
                 for (int i = first; i <= mu; i++) {
                     int from = fault(T, i, i == first + 1 ? first : i);
                     num share = div(mul(G(cox_de_boor)(p, K.u, K.place, from, interval, t), w[from]), total);
                     about(T, "the sign of a share");
                     nonnegative(T, share);
                     sum = add(sum, share);
-                    for (int c = 0; c < 2; c++)
-                        mean[c] = add(mean[c], mul(share, R[2 * i + c]));
+                    for (int c = 0; c < dim; c++)
+                        mean[c] = add(mean[c], mul(share, R[dim * i + c]));
                 }
                 about(T, "the sum of the shares");
                 same(T, sum, from_int(1));
                 about(T, "the point");
-                G(nurbs_point)(G(nurbs_on_span)(p, 2, K.u, mu, R, w), t, P);
-                for (int c = 0; c < 2; c++)
+                G(nurbs_point)(G(nurbs_on_span)(p, dim, K.u, mu, R, w), t, P);
+                for (int c = 0; c < dim; c++)
                     same(T, P[c], mean[c]);
             }
         }

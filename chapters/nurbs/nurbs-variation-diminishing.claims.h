@@ -833,10 +833,12 @@ $\mu_i+(i-1)(k-1)$.
   in the corollary; property 3.2.7 counts crossings, and does not follow from a count of points
 :argued: | They are the theorem for curves that are NURBS curves; that they say nothing else is read from the chapters on Bézier curves
   and B-splines, of which one is at hand.
+:meant: the words by which they are corollaries, as of the three property 3.2.7 alone is at hand | The other two say the same of Bézier curves and of
+  B-spline curves.
 :figure: what_must_be_counted
 
 A rational Bézier curve is the case $n=k$ with two knots of multiplicity $k$; equal weights give B-spline and Bézier
-curves.  Property 3.2.7 is at hand; the others are taken to be the same for Bézier curves and B-spline curves.
+curves.
 :::
 
 :::{claim} bezier_curves_are_nurbs_curves

@@ -384,14 +384,14 @@ in its interval, they only add, multiply and divide numbers of one sign.
 :title: The recursions subtract data only, and few roundings reach the result
 :zh: 递推仅对原始数据作减法,舍入误差有界
 :kind: decision
-:given: the kernels `bspline_deboor` on homogeneous points and `nurbs_deboor` in the plane, `nurbs_insert`, orders $k=2,\dots,17$
+:given: the kernels `bspline_deboor` on homogeneous points, `nurbs_deboor` and `nurbs_insert`, in the plane and in space, orders $k=2,\dots,17$
 :then: no number is subtracted that was itself computed; from a datum to the result there are at most $5(k-1)$ roundings for homogeneous
   points, $(k-1)(5k+2)$ for points with weights, and $12$ for the insertion
 :method: The kernels on numbers that count.  For $t$ in the interval the differences $t-t_i$, $t_{i+k-r}-t$ and $t_{i+k-r}-t_i$ are not
   negative, each with one rounding; everything else is products, quotients and sums.  So the result is the sum of
   $N_{i,k}(t)$ times point $i$ with each term changed by at most that many factors $1\pm u$ or their reciprocals, $u$ the unit of rounding.
 :degrees: 1..16
-:scope: curves of the plane
+:scope: curves of the plane and of space
 :argued: every order | Level $r$ adds $5$ roundings, with weights $10r+2$, as each of its points is computed with the same operations.
 :control: four roundings a level
 :::
@@ -401,14 +401,16 @@ CLAIM(recursion_subtracts_data_only)
     int k = T->degree + 1, homogeneous = fault(T, 5, 4) * (k - 1);
     struct counted_way way[3];
     long tree;
-    counted_ways(k - 1, 2, way, &tree);
-    about(T, "a computed number is subtracted");
-    for (int m = 0; m < 3; m++)
-        agree(T, !way[m].worst.cancels);
-    about(T, "the roundings");
-    agree(T, way[0].worst.roundings == homogeneous);
-    agree(T, way[1].worst.roundings == (k - 1) * (5 * k + 2));
-    agree(T, way[2].worst.roundings == 12);
+    for (int dim = 2; dim <= 3; dim++) {
+        counted_ways(k - 1, dim, way, &tree);
+        about(T, "a computed number is subtracted");
+        for (int m = 0; m < 3; m++)
+            agree(T, !way[m].worst.cancels);
+        about(T, "the roundings");
+        agree(T, way[0].worst.roundings == homogeneous);
+        agree(T, way[1].worst.roundings == (k - 1) * (5 * k + 2));
+        agree(T, way[2].worst.roundings == 12);
+    }
 }
 #endif
 

@@ -815,9 +815,10 @@ CLAIM(uniform_letter_in_last_sum_fails)
 :printed: changing the variables in (4.4.23), one puts in turn $i=r-k+1+s$, $v=l-r-1$, $l=s-v$
 :holds-by: uniform_terms_pass_into_one_another
 :confirmed-by: uniform_chain_gives_the_matrix
+:meant: the words in turn (依次) | The last $l$ is a new one, $r+1+s$ minus the old.
 :figure: uniform_matrices
 
-The last $l$ is a new one: it is $r+1+s$ minus the old.  Each term of a sum is one of the next where the digit 1 stands for the letter $l$ that is printed in the exponents.
+Each term of a sum is one of the next where the digit 1 stands for the letter $l$ that is printed in the exponents.
 :::
 
 :::{claim} uniform_terms_pass_into_one_another
@@ -865,9 +866,10 @@ CLAIM(uniform_terms_pass_into_one_another)
 :printed: simplified and rearranged, on the interval $[t_r,t_{r+1})=[r,r+1)$ the elements of $\mathbf A_{r,t,T}$ are
   $a_{j,r-k+1+i}=(-1)^j\frac{\binom{k-1}j}{(k-1)!}\sum_{l=0}^i(-1)^l\binom kl(i-l+1)^{k-1-j}$, $i,j=0,1,\dots,k-1$
 :holds-by: uniform_matrix_is_the_matrix
+:meant: (4.4.3), whose indices are $r,k,T$ | The matrix is $\mathbf A_{r,k,T}$, see `notation-4.4`.
 :figure: uniform_matrices
 
-Here the exponent is printed right.  The index $t$ of the matrix is the order $k$, see `notation-4.4`.
+Here the exponent is printed right.
 :::
 
 :::{statement} wang-ch4:uniform-matrix-independent

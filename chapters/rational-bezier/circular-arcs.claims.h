@@ -181,7 +181,8 @@ base angle picks it out.
 :title: The same in terms of the triangle and the weight
 :zh: 等价的几何条件
 :printed: For $I_1<1$ this is equivalent to $x_1=0$, $\omega^2=\frac{l^2}{l^2+y_1^2}=\cos^2\theta$.
-:holds-by: circles_among_the_conics_of_the_curve base_angle_of_the_triangle
+:holds-by: circles_among_the_conics_of_the_curve base_angle_of_the_triangle arc_and_its_central_angle
+:meant: the sentence before, in which the central angle of the arc is $2\theta$ | $\theta$ is half the central angle, which is the base angle of the triangle.
 :figure: circular_arc
 
 For a true triangle $I_1<1$ follows and is not needed; for three points on a line it makes either side false.

@@ -131,8 +131,7 @@ polynomial behind the sign of equality are not the same, though both are 0 on th
 :corrected-by: determinant_is_four_times_the_form
 :figure: determinant_factor
 
-In the text at hand the second and the fourth row stand below the first and the third without a shift, and the zeros are lost; the rows are read as those of
-(3.4.1).
+In the text at hand the second and the fourth row stand below the first and the third without a shift,and the zeros are lost; the rows are those of (3.4.1).
 :::
 */
 
@@ -468,9 +467,10 @@ its hypotheses is needed, and an example without it stands beside.
   $\omega_0\omega_2>0$; as for positive weights.
 :needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_1\ne0$; as for
   positive weights.
+:meant: theorem 3.5.2, whose circular arcs have $I_1<1$ | A circle is an ellipse.
 :figure: classification_by_weight
 
-A circle is an ellipse here.  In any coordinates the sign of $AC-B^2$ is that of $\omega_0\omega_2-\omega_1^2$, for either sign of $\omega_1\ne0$.
+In any coordinates the sign of $AC-B^2$ is that of $\omega_0\omega_2-\omega_1^2$, for either sign of $\omega_1\ne0$.
 :::
 
 :::{claim} kind_in_any_coordinates

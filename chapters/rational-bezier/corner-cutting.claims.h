@@ -23,9 +23,10 @@ edges, and on what the ratio depends.
 :printed: This theorem is a generalisation of theorem 1.4.1.
 :holds-by: equal_weights_stay_equal triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :confirmed-by: equal_weights_give_polynomial_triangle
+:meant: the formulas of theorem 3.3.1, as theorem 1.4.1 is not in the text at hand | Theorem 1.4.1 says that the triangle of de Casteljau gives the
+  two parts of a polynomial curve.
 
-Chapter 1 of the source is not at hand; its theorem is taken to be that the triangle of de Casteljau gives the two parts of a polynomial curve.  It is the case
-of equal weights.
+Theorem 1.4.1 is the case of equal weights.
 :::
 
 :::{claim} equal_weights_stay_equal

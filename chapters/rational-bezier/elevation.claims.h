@@ -192,9 +192,8 @@ and any other numbers would do.
 :confirmed-by: elevation_through_the_power_basis elevated_points_as_printed
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that the numerators can be divided by the $\hat\omega_i$ for (3.2.9)
-
-Chapter 1 of the source is not at hand; the operator is taken to be that of elevation,
-$b_i\mapsto(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$.
+:meant: the formulas (3.2.8) and (3.2.9), which it is to give, as (1.3.9) is not in the text at hand | The operator is that of elevation,
+  $b_i\mapsto(1-\frac i{n+1})b_i+\frac i{n+1}b_{i-1}$.
 :::
 */
 

@@ -29,9 +29,9 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 :needs: negative_weight_reverses_the_end_tangent | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$: for the curve to leave towards $R_k$ and to arrive from $R_{n-h}$:
   otherwise the edge is on the tangent, but behind the end point.
+:meant: the formulas (3.2.3) and (3.2.4), which stand below it and have multiple end points | The end edges are the first and the last of positive
+  length, $R_0R_k$ and $R_{n-h}R_n$.
 :figure: end_tangents
-
-The end edges are the first and the last of positive length, $R_0R_k$ and $R_{n-h}R_n$.
 :::
 */
 
@@ -211,9 +211,10 @@ CLAIM(zero_end_weight_loses_the_end_point)
   R_{n-h+1}\ne\mathbf R_{n-h},\quad k,h\ge1
 :checked-by: two_multiplicities_leave_an_edge
 :confirmed-by: multiplicities_fit_into_the_polygon
+:meant: the formulas (3.2.3) and (3.2.4) behind it | The line is the condition of what follows it, when …, then …; in the text at hand a stray sign of
+  equality stands before it and a quantifier over $t$ behind it.
 
-The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.  The capture has a stray sign of equality
-before this line and a quantifier over $t$ behind it; they are read as "when ..., then".
+The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.
 :::
 
 :::{claim} two_multiplicities_leave_an_edge

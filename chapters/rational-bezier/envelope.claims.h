@@ -137,9 +137,10 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
 :hypothesis: member_shrinks_at_a_cusp | $\mathbf R'(c)\ne0$; where it vanishes the member may be a single point
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
+:meant: the words point of contact (接触点) | A point that both curves have, and in which they have one tangent.
 :figure: envelope_cusp
 
-To be in contact means here to have a common point and a common tangent there.  The two derivatives are parallel and, for $r\ge1$ and $R'(c)\ne0$, not equal.
+The two derivatives are parallel and, for $r\ge1$ and $R'(c)\ne0$, not equal.
 That they touch nowhere else is not claimed: a tangent, the member of $r=n-1$, may touch the curve in a second point.
 :::
 

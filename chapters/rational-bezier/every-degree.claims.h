@@ -159,6 +159,62 @@ CLAIM(change_of_parameter_acts_on_one_factor)
 }
 
 /*
+The numbers $u\ge0$ of (3) leave out the start, $t=0$ or, on an interval $[a,b]$, $t=a$: it belongs to $u=+\infty$.
+
+:::{claim} large_parameters_lead_to_the_left_end
+:title: The larger u is, the nearer t is to a, and the other way round
+:zh: u 趋于无穷时 t 趋于 a
+:given: $b=a+l$, $l>0$, $v>0$, $u=\frac1v$
+:then: $\frac{au+b}{u+1}=\frac{a+bv}{1+v}$ is greater than $a$, by less than $lv=\frac lu$; and $\frac{b-t}{t-a}=u-1$ at $t=a+\frac lu$
+:method: Identities in $a$, $l$ and $v$; the signs are those of the coefficients.  For $u\to+\infty$ the first difference tends to 0, and for $t\to a$ the $u$ of the second
+  formula grows beyond every bound.
+:scope: u = +∞ and t = a
+:harmless: $v>0$ | $u$ tends to $+\infty$, and is positive
+:over: a l0 v0: -
+:control: $t=(bu+a)/(u+1)$
+:::
+*/
+CLAIM(large_parameters_lead_to_the_left_end)
+{
+    num a = parameter(T, "a"), l = positive(T, "l", 0), v = positive(T, "v", 0), b = add(a, l), one = from_int(1);
+    num u = div(one, v), u1 = add(u, one), v1 = add(one, v);
+    num t = fault(T, div(add(mul(a, u), b), u1), div(add(mul(b, u), a), u1));
+    about(T, "t by u and by v");
+    same(T, t, div(add(a, mul(b, v)), v1));
+    about(T, "t - a and lv - (t - a)");
+    /* t - a = l v/(1+v), l v - (t-a) = l v²/(1+v) */
+    same(T, sub(t, a), div(mul(l, v), v1));
+    same(T, sub(mul(l, v), sub(t, a)), div(mul(l, mul(v, v)), v1));
+    nonnegative(T, div(mul(l, v), v1));
+    nonnegative(T, div(mul(l, mul(v, v)), v1));
+    num near = add(a, mul(l, v));
+    about(T, "u near a");
+    same(T, div(sub(b, near), sub(near, a)), sub(u, one));
+}
+
+/*
+:::{claim} quotients_of_large_parameters_lead_to_the_first_point
+:title: The larger u is, the nearer the quotient is to the first coordinate, in every degree
+:zh: u 趋于无穷时商趋于首顶点的坐标
+:given: $v=\frac1u$; the sums of (3.4.4) divided by $u^n$, which are $\omega_0x_0+vA$ and $\omega_0+vW$ with polynomials $A$, $W$ in $v$, any numbers here; $\omega_0>0$
+:where: the weights are positive
+:then: $\frac{\omega_0x_0+vA}{\omega_0+vW}-x_0=v\,\frac{A-x_0W}{\omega_0+vW}$, in which for $v=0$ the divisor is $\omega_0\ne0$
+:method: An identity in five variables.  For $v\to0$ the polynomials tend to numbers, and the right side to 0: the quotient tends to $x_0$.
+:degrees: all
+:scope: u = +∞ and t = a
+:over: x#: points; A# W#: coefficients; v: -
+:control: $A+x_0W$
+:::
+*/
+CLAIM(quotients_of_large_parameters_lead_to_the_first_point)
+{
+    num w = positive(T, "w", 0), x = unknown(T, "x", 0), A = unknown(T, "A", 0), W = unknown(T, "W", 0);
+    num v = parameter(T, "v"), bottom = add(w, mul(v, W)), top = add(mul(w, x), mul(v, A)), xW = mul(x, W);
+    about(T, "the quotient less x_0");
+    same(T, sub(div(top, bottom), x), mul(v, div(fault(T, sub(A, xW), add(A, xW)), bottom)));
+}
+
+/*
 :::{claim} triangle_of_powers_consists_of_powers
 :title: The triangle of de Casteljau and the two parts of a cut, in every degree
 :zh: 割角三角阵列与离散(任意次数)

@@ -776,9 +776,11 @@ CLAIM(isolated_point_is_on_no_arc)
   genus 0 that fit it.
 :argued: every n | The cited formula is one for curves of every degree.
 :confirmed-by: large_point_takes_all_double_points
+:meant: the theory of algebraic curves, to which the theorem appeals and in which the genus has its own definition | The sentence is one about the
+  genus, and not a name for the count.
 :figure: genus_zero
 
-The genus of a rational curve is 0, and the two quartics are rational.  The sentence is read as one about the genus, and not as a name for the count.
+The genus of a rational curve is 0, and the two quartics are rational.
 
 The imaginary points count, as the source says, and so do those at infinity: the lemniscate
 has only one finite double point.

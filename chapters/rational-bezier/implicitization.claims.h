@@ -92,10 +92,11 @@ the half line and its end: what goes wrong further on goes wrong there.
 :title: The change of parameter and its inverse
 :zh: 参数变换及其逆
 :printed: t=\frac{au+b}{u+1},\ 0\le u\le+\infty;\qquad u=\frac{b-t}{t-a},\ a\le t\le b
-:holds-by: parameter_change_and_its_inverse
+:holds-by: parameter_change_and_its_inverse large_parameters_lead_to_the_left_end
 :needs: parameter_change_needs_two_ends | (3.3.1), which divides by $b-a$ | $a<b$: for $a=b$ the interval is a point
+:meant: the second formula, which divides by 0 for $t=a$ | The value $u=+\infty$ stands for $t=a$, as a limit.
 
-$t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$; the value $u=+\infty$ stands for $t=a$, where the second formula divides by 0.
+$t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$.
 :::
 
 :::{claim} parameter_change_and_its_inverse
@@ -164,11 +165,13 @@ CLAIM(parameter_change_needs_two_ends)
 :printed: (3.4.3) gives $\mathbf R(t)=(x,y)=\Bigl(\frac{\sum_{i=0}^n\binom ni\omega_ix_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}},
   \frac{\sum_{i=0}^n\binom ni\omega_iy_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}}\Bigr)$, $0\le u\le+\infty$.
 :holds-by: parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+  quotients_of_large_parameters_lead_to_the_first_point
 :confirmed-by: curve_in_the_new_parameter
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that the denominator does not vanish for $u\ge0$
+:meant: (3.4.3), where $u=+\infty$ stands for $t=a$ | At $u=+\infty$ the quotients are limits, the coordinates of $R_0=R(a)$.
 
-With $\frac{t-a}{b-a}=\frac1{u+1}$ the Bernstein sums of (3.3.1) become powers of $u$.  At $u=+\infty$ it is read as a limit: $R_0=R(a)$, as $\omega_0\ne0$.
+With $\frac{t-a}{b-a}=\frac1{u+1}$ the Bernstein sums of (3.3.1) become powers of $u$.
 :::
 */
 

@@ -235,9 +235,10 @@ CLAIM(line_pair_carries_a_segment)
 :confirmed-by: rational_form_contains_the_polynomial_one
 :argued: | About any point of an ellipse, parabola or hyperbola there are two tangents that meet, and the short arc between their points is inside the
   triangle of these and of the point where they meet.
+:meant: the examples, which are arcs of such curves | To represent a curve is to run through an arc of it.
 :figure: polynomial_on_conics
 
-To represent means to run through an arc.  The fuselage is an example of the source; that both kinds are one formula is what is
+The fuselage is an example of the source; that both kinds are one formula is what is
 decided.
 :::
 

@@ -23,9 +23,10 @@ Bernstein basis of degree 8 function $i$ has the two coefficients $\nu_i/\binom8
   $B_{6,7}(t)=(7-4\beta+5\beta t)(1-t)t^6$, $B_{7,7}(t)=(1-\beta+\beta t)t^7$ are called the basis functions with the parameter $\beta$, where $-7\le\beta\le1$.
 :definition: yes
 :checked-by: printed_kernel_is_formula_one
+:meant: the end of the definition, which is narrower than its beginning, $\beta\in R$ | The range is $-7\le\beta\le1$.
 :figure: eight_functions
 
-The definition says both $\beta\in R$ and $-7\le\beta\le1$; the second is taken as the range meant.  Outside of what is quoted these functions
+Outside of what is quoted these functions
 are written $\hat B_i$, to be told from the corrected ones, $B_{i,7}$ or $B_{i,n}$.
 :::
 */

@@ -22,9 +22,10 @@ elevation (升阶).  With the printed functions $Q_4$ and $Q_5$ leave their line
 :printed: $B_1=\sum_{i=0}^7P_iB_{i,7}(t)$ for eight control points $P_i\in\mathbb R^d$, $d=2,3$, $t\in[0,1]$
 :definition: yes
 :checked-by: printed_curve_kernel_is_the_sum curve_kernels_give_the_sum
+:meant: formula (11) | The left side is $B_1(t)$.
 :figure: curves_for_several_beta
 
-The left side stands for $B_1(t)$, as (11) writes it.  A coordinate of the curve comes from that coordinate of the points alone,
+A coordinate of the curve comes from that coordinate of the points alone,
 so that what the claims compute for points of the plane, coordinate by coordinate, is true in every $\mathbb R^d$.
 :::
 */

@@ -440,9 +440,10 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
 :hypothesis: surface_that_does_not_move | the net is not constant on four blocks, with the corrected functions, and not $k_ik_jw$, with the printed
   ones: these nets $P_{ij}$, the blocks being $i,j\le3$, $i\le3<j$, $j\le3<i$ and $i,j\ge4$, $k=(0,0,0,0,5,1,1,1)$ and $w$ any vector, have one
   surface for all $\beta$
+:meant: definition 5.1, in which both directions have one $\beta$ | One $\beta$ is taken in both directions.
 :figure: shape_surface
 
-One $\beta$ is taken in both directions.  Decided is that the surface, with its parameters, is not the same for all $\beta$; single
+Decided is that the surface, with its parameters, is not the same for all $\beta$; single
 values of $\beta$ are not compared.
 :::
 

@@ -216,6 +216,23 @@ static void check_readings(const struct book *book, const struct block *b)
     }
 }
 
+/* What a statement is read as is said under meant, with that by which it is known, and not in a remark alone. */
+static void check_remark(const struct block *b)
+{
+    static const char *const phrases[] = {"Read as ",      "Read so",      "Read with ", " read as ",
+                                          " read so ",     " is meant",    " are meant", " taken as ",
+                                          " taken to be ", " means here ", NULL};
+    if (value_of(b, "meant") != NULL)
+        return;
+    char *note = whole_copy(b->note);
+    for (char *at = note; *at != '\0'; at++)
+        if (*at == '\n')
+            *at = ' ';
+    for (int k = 0; phrases[k] != NULL; k++)
+        if (strstr(note, phrases[k]) != NULL)
+            complain(b->file, b->line, "'%s': what it is read as is no remark: meant: place | text", b->name);
+}
+
 static void check_source_of(const struct book *book, const struct block *b)
 {
     const char *colon = strchr(b->name, ':');
@@ -250,6 +267,7 @@ static void check_statement(const struct book *book, const struct block *b)
         complain(b->file, b->line, "'%s': there is no FIGURE(%s)", b->name, figure);
     check_links(book, b);
     check_readings(book, b);
+    check_remark(b);
     check_source_of(book, b);
 }
 

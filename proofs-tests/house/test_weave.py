@@ -535,6 +535,18 @@ class BadLinks(Weaving):
             self.write("first.claims.h", text)
             self.refused("first.claims.h", line_of(text, ":reading: ratio_fails"), "which reading is meant")
 
+    def test_what_is_meant_is_no_remark(self):
+        """What a statement is read as is said with that by which it is known; a remark alone does not do."""
+        unsaid = FIRST.replace(":meant: the title | what is meant\n", "")
+        for remark in "Read as a line.", "The index is\nread as 2.", "The first is meant.", "The word is taken to be another.":
+            for text, refused in (FIRST, False), (unsaid, True):
+                text = text.replace("A remark: with a colon.", remark)
+                self.write("first.claims.h", text)
+                if refused:
+                    self.refused("first.claims.h", line_of(text, ":::{statement} source:1.1"), "is no remark")
+                else:
+                    self.assertEqual(self.weave().returncode, 0)
+                    (self.root / "register.c").unlink()
 
     def test_claims_that_decide_a_reading_together(self):
         self.write("first.claims.h", FIRST.replace(":reading: a way to read it", ":reading: sum_is_zero | a way to read it\n:reading-with: range_is_decided"))
