@@ -781,7 +781,7 @@ CLAIM(crossing_becomes_a_vertex_between_edges)
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$, or $t_1=t_k$: then $r(t'_i)$ is a vertex, too,
   though not the one with the index of (4.1.9)
-:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
+:needs: negative_weight_loses_a_vertex_beside_the_common_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise another vertex may not exist
 :figure: points_of_the_line_as_vertices
 
 In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index
@@ -797,7 +797,7 @@ $\mu_i+(i-1)(k-1)$.
 :confirmed-by: polygon_through_the_crossings_crosses_as_often
 :hypothesis: crossing_becomes_a_vertex_between_edges | an edge on the line counts: the vertices may be ends of such edges
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
-:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
+:needs: negative_weight_loses_a_vertex_beside_the_common_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise another vertex may not exist
 :argued: | The points are common points of the line and of the polygon, being vertices.  Two of them that belong to different intersections are not joined by edges on the
   line: the curve between is a mean of the vertices from one to the other, and would be on the line with them.
 :figure: points_of_the_line_as_vertices
