@@ -168,6 +168,7 @@ factors the condition; the drawings show what comes out.
   $(t-\tau)(t+2\tau)$, and for $t=-2\tau$ the points are $(\xi t,\eta t^3)$
 :method: Members and derivatives from the control points over the knots with $t$ and $\tau$ as variables.  For the
   sextic the third component follows: $X_t\times X_\tau$ is perpendicular to $X_t$.
+:scope: the three families
 :control: $t+\tau$ in the place of $t-\tau$
 :::
 */

@@ -316,6 +316,7 @@ These are not stray points: the whole second envelopes are found by eliminating 
   the resultant by $c$ is a polynomial in $x$ and $y$, divided by the one stated.  The quotient is a constant.  The
   determinant has a factor in $c$ alone, the leading coefficient of $y$ in $t$, because $x$ is of lower degree in $t$; it is
   divided out first.
+:scope: the two families
 :control: another sign in each of the two products
 :::
 */
