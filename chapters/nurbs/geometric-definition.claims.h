@@ -315,7 +315,8 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
   out: their $N_{i,2}$ is 0
 :figure: nurbs_polygons
 
-Values at $t_{n+1}$ are limits from the left, see `def-4.1.1-interval`.  Weights of a level that are never 0 are positive, and then no denominator vanishes.
+Values at $t_{n+1}$ are limits from the left, see `def-4.1.1-interval`.  That no weight of the level is 0 for any $\tau$ makes positive those whose $N_{i,2}$ is not 0 on the
+domain, each being positive on a span of it, and then no denominator vanishes.
 :::
 
 In the polygon of $\tau$ only one leg belongs to the span of $\tau$.  What are the others?  By the polar form the leg

@@ -33,8 +33,9 @@ span; what has to be asked is whether the members exist.
 :figure: nurbs_envelope_whole
 
 On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On
-the span of $\tau$ it is the member of that span, so it touches the curve there.  Each $w_i^{[r]}$ that is asked for is positive on a span of its own;
-if it is 0 for no $\tau$, it is positive for all, and no denominator vanishes.  For equal weights the hypotheses on the weights are fulfilled
+the span of $\tau$ it is the member of that span, so it touches the curve there.  Each $w_i^{[r]}$ whose $N_{i,k-r}$ is not
+0 on the domain is positive on a span of it, as are all weights of levels on their own span; if it is 0 for no $\tau$, it is positive for all, and no denominator
+vanishes.  For equal weights the hypotheses on the weights are fulfilled
 (`equal_weights_stay_equal_for_the_whole_curve`).
 :::
 */
