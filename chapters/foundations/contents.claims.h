@@ -212,7 +212,7 @@ CLAIM(other_chapters_begin_with_their_first_section)
 | 1-3 | circles | `small_steps_multiply_the_radius` `second_orbit_never_closes` `ellipse_lies_between_two_circles` `third_matrix_by_the_radius` | |
 | 1-4 | description of parametric curves | `horner_computes_the_sum_of_powers` `additions_step_along_the_curve` `cusp_of_the_example_is_a_cusp` `sign_of_delta_tells_the_form` `torsion_by_speed_and_curvature` | |
 | 1-5 | control of shape | `conditions_make_one_curve_in_another_parameter` `pieces_in_new_powers` `fractional_change_of_a_power_curve` | the end of the section |
-| 1-6 | theory of curves and surfaces | `curvature_and_torsion_belong_to_arc_length` `signed_curvature_is_the_turning_of_the_tangent` `surface_normal_is_the_cross_product` | curvature of surfaces; the text |
+| 1-6 | theory of curves and surfaces | `curvature_belongs_to_arc_length` `torsion_belongs_to_arc_length` `signed_curvature_is_the_turning_of_the_tangent` `surface_normal_is_the_cross_product` | curvature of surfaces; the text |
 | 1-7 | points of parametric surfaces | `tensor_kernel_is_the_matrix_product` `surface_kernel_computes_the_double_sum` `surface_derivatives_of_every_order` | differences; the text |
 | 1-8 | control of the shape of surfaces | `borders_and_cross_derivatives_are_kept` `surface_part_is_the_piece` | joints of surfaces; the text |
 | 1-9 | interpolation by Lagrange | `lagrange_functions_keep_every_polynomial` `one_cubic_passes_through_four_data` `divided_difference_is_leading_coefficient` | parameters for points; the text |

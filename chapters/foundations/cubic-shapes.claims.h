@@ -183,15 +183,18 @@ static void G(cubic_of_triangle)(const num R[], num alpha, num beta, num c[])
 /*
 Between two inflections and a loop there is a moment at which both pairs of parameters run together.  There the velocity
 vanishes, and the curve has a cusp.  To see the moment, let the ends and the directions stand and let the two lengths
-grow: the cusps are a curve in the plane of the lengths.
+grow: the cusps are a curve in the plane of the lengths, but for the point of it where the cubic is a parabola.
 
 :::{claim} cusps_are_on_a_hyperbola
-:title: In the plane of the lengths the cusps are a hyperbola
-:zh: 切矢长度平面上的尖点双曲线
+:title: In the plane of the lengths the cusps are a hyperbola without one point
+:zh: 切矢长度平面上的尖点为去一点的双曲线
 :given: a triangle $Q_0MQ_1$; tangents $\dot Q_0=2\alpha(M-Q_0)$, $\dot Q_1=2\beta(Q_1-M)$, any $\alpha,\beta$
 :then: $\delta=-4\alpha\beta\,w^2\bigl((\alpha-2)(\beta-2)-1\bigr)$ with $w=2(Q_1-Q_0)\times(M-Q_0)$; the turning at the ends is
-  $P'\times P''(0)=-2\alpha(3-2\beta)\,w$ and $P'\times P''(1)=-2\beta(3-2\alpha)\,w$
-:method: The cubic of the ends, the kernels, everything a variable.
+  $P'\times P''(0)=-2\alpha(3-2\beta)\,w$ and $P'\times P''(1)=-2\beta(3-2\alpha)\,w$; $a=(\alpha+\beta-2\alpha\beta)\,w$ with
+  $a+3(\alpha+\beta-2)w=-2\bigl((\alpha-2)(\beta-2)-1\bigr)w$, and for $\alpha=\beta=1$ is $A=0$
+:method: The cubic of the ends, the kernels, everything a variable.  Let $w\ne0$, $\alpha,\beta\ne0$: then $\delta=0$ on the hyperbola $(\alpha-2)(\beta-2)=1$ only.
+  There $a=0$ would be $\alpha+\beta=2$, so $\alpha=\beta=1$: a parabola, without cusp; everywhere else on it the curve has a cusp by
+  `merged_inflections_are_a_cusp`.
 :over: x# y#: triangles; alpha; beta
 :control: $(\alpha-2)(\beta-2)-2$
 :::
@@ -218,11 +221,20 @@ CLAIM(cusps_are_on_a_hyperbola)
     /* at 0: -2α (3 - 2β) w,   at 1: -2β (3 - 2α) w */
     same(T, f[0], mul(minus_w, mul(alpha, sub(three, mul(two, beta)))));
     same(T, add(f[0], add(f[1], f[2])), mul(minus_w, mul(beta, sub(three, mul(two, alpha)))));
+    about(T, "A × B");
+    num sum = add(alpha, beta), a = mul(sub(sum, mul(two, mul(alpha, beta))), w);
+    same(T, m[0], a);
+    /* a + 3 (α + β - 2) w = -2 ((α - 2)(β - 2) - 1) w */
+    same(T, add(a, mul(three, mul(sub(sum, two), w))), mul(from_int(-2), mul(branch, w)));
+    about(T, "A of the parabola");
+    G(cubic_of_triangle)(R, from_int(1), from_int(1), c);
+    for (int j = 0; j < dim; j++)
+        vanishes(T, c[3 * dim + j]);
 }
 
 #if RATIONAL
-/* The cubic of the triangle R with the lengths alpha and beta: its inflections, and the parameters of its double point, in
- * (0,1), and its delta. */
+/* The cubic of the triangle R with the lengths alpha and beta: the zeros of its turning, which are its inflections but for a cusp, and
+ * the parameters of its double point, in (0,1), and its delta. */
 static void events_of(const num R[], num alpha, num beta, int *inflections, int *doubles, num *delta)
 {
     num c[8], m[3], g[3], zero = from_int(0), one = from_int(1);
@@ -261,11 +273,12 @@ static void decide_cusp_or_loop(trial *T, const num c[])
 :zh: 端点与切向相同而形态各异
 :kind: decision
 :given: the triangle $R$ of $Q_0$, $M$, $Q_1$; the cubics from $Q_0$ to $Q_1$ with the tangents $2\alpha(M-Q_0)$, $2\beta(Q_1-M)$ for five pairs $(\alpha,\beta)$; for each of these
-  forms the number of inflections and that of the parameters of the double point, both in $(0,1)$, and the sign of $\delta=3b^2-4ac$, with
+  forms the number of zeros of $P'\times P''$ and that of the parameters of the double point, both in $(0,1)$, and the sign of $\delta=3b^2-4ac$, with
   $a=A\times B$, $b=A\times C$, $c=B\times C$
 :data: R = (0,0) (1,2) (3,0); (α,β) = (1/2,1/2) (1,3) (2,2) (3,3) (4,4); forms = (0,0,-1) (1,0,1) (2,0,1) (1,1,0) (0,2,-1)
 :instead: (α,β) = (1,3) (1,3) (2,2) (3,3) (4,4)
-:then: on the open arc no, one and two inflections; a cusp, where $\delta=0$ and $P'=0$; a loop, whose double point has two parameters in $(0,1)$
+:then: on the open arc no, one and two inflections; a cusp, where $\delta=0$ and $P'=0$, which is the one zero of $P'\times P''$; a loop, whose double point has two
+  parameters in $(0,1)$
 :method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.  At the cusp the derivative at the double root
   $-\frac b{2a}$ of that polynomial; of the loop, that the polynomial divides $P-N$ with one point $N$, in both coordinates.
 :control: the second pair twice
@@ -283,7 +296,7 @@ CLAIM(each_form_occurs)
         num delta;
         events_of(R, lengths[2 * k], lengths[2 * k + 1], &inflections, &doubles, &delta);
         int as_wanted = equal_q(from_int(inflections), wanted[3 * k]) && equal_q(from_int(doubles), wanted[3 * k + 1]);
-        about(T, "the numbers of inflections and of parameters, and the sign");
+        about(T, "the numbers of zeros and of parameters, and the sign");
         agree(T, as_wanted && equal_q(from_int(sign_q(delta)), wanted[3 * k + 2]));
         if (doubles > 0) {
             G(cubic_of_triangle)(R, lengths[2 * k], lengths[2 * k + 1], c);
@@ -429,7 +442,7 @@ CLAIM(parallel_tangents_give_an_s_or_an_arch)
 :data: R = (0,0) (1,2) (3,0); b = 3/2; N = 20
 :instead: b = 1
 :then: both below $b$: no inflection; one above, one below: one; both above, and $(\alpha-2)(\beta-2)<1$ or one of them below 2: two;
-  both above 2 and $(\alpha-2)(\beta-2)>1$: none, and a loop; on the hyperbola: a cusp
+  both above 2 and $(\alpha-2)(\beta-2)>1$: none, and a loop; both above 2 and $(\alpha-2)(\beta-2)=1$: a cusp
 :method: Inflections and the parameters of the double point in $(0,1)$ as root counts, for $N$ points of each of the parts in every
   case, and $N$ cusps; the borders between the parts are those of `cusps_are_on_a_hyperbola`.
 :control: another border

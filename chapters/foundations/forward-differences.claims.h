@@ -318,6 +318,7 @@ $\delta$; the places $i\delta$ are reached by $i$ steps and not by one.
 :zh: 差分递推
 :printed: P_1=P_0+\Delta P_0,\quad\Delta P_1=\Delta P_0+\Delta^2P_0,\quad\Delta^2P_1=\Delta^2P_0+\Delta^3P_0,\quad\Delta^3P_1=\Delta^3P_0
 :holds-by: printed_lines_step_a_cubic
+:meant: the lines themselves, one addition each | The differences with the index 1 are those at $t=\delta$, the next place, and not at $t=i\delta$.
 :confirmed-by: step_takes_differences_to_the_next_place
 :figure: forward_differences
 :::
@@ -361,20 +362,19 @@ CLAIM(step_takes_differences_to_the_next_place)
 
 /*
 :::{claim} printed_lines_step_a_cubic
-:title: The four lines of the table, and the four scaled ones, for a cubic
+:title: The four lines of the table for a cubic
 :zh: 三次曲线差分表的四式
-:given: any coefficients of a cubic in space, any $t$ and $\delta\ne0$; $P_0,\Delta P_0,\Delta^2P_0,\Delta^3P_0$ the differences at $t$,
+:given: any coefficients of a cubic in space, any $t$ and $\delta$; $P_0,\Delta P_0,\Delta^2P_0,\Delta^3P_0$ the differences at $t$,
   $P_1,\dots,\Delta^3P_1$ those at $t+\delta$
-:where: $\delta\ne0$
-:then: $\Delta^kP_1=\Delta^kP_0+\Delta^{k+1}P_0$ for $k=0,1,2$ and $\Delta^3P_1=\Delta^3P_0$; divided by $\delta^k$ these are
-  $\frac1{\delta^k}\Delta^kP_1=\frac1{\delta^k}\Delta^kP_0+\delta\cdot\frac1{\delta^{k+1}}\Delta^{k+1}P_0$
+:then: $\Delta^kP_1=\Delta^kP_0+\Delta^{k+1}P_0$ for $k=0,1,2$ and $\Delta^3P_1=\Delta^3P_0$
 :method: Both sides by the alternating sums of the definition; no kernel is used.
 :degrees: 3..3
 :over: x# y# z#: coefficients; d: δ
 :control: the differences at $t+2\delta$
 :::
 */
-CLAIM(printed_lines_step_a_cubic)
+/* The four lines, or each divided by the power of delta of its order. */
+static void G(compare_lines)(trial *T, int divided)
 {
     enum { dim = 3, last = 3 };
     num c[(last + 1) * dim], t = parameter(T, "t"), delta = positive(T, "d", 0), zero = from_int(0);
@@ -385,11 +385,32 @@ CLAIM(printed_lines_step_a_cubic)
             num here = G(alternating_sum)(last, dim, c, j, k, t, delta);
             num there = G(alternating_sum)(last, dim, c, j, k, next, delta);
             num above = k < last ? G(alternating_sum)(last, dim, c, j, k + 1, t, delta) : zero;
-            same(T, there, add(here, above));
+            if (!divided) {
+                same(T, there, add(here, above));
+                continue;
+            }
             num scale = G(power)(delta, k), scaled = div(above, G(power)(delta, k + 1));
             same(T, div(there, scale), add(div(here, scale), mul(delta, scaled)));
         }
 }
+
+CLAIM(printed_lines_step_a_cubic) { G(compare_lines)(T, 0); }
+
+/*
+:::{claim} printed_divided_lines_step_a_cubic
+:title: The four lines of the table for a cubic, divided by the powers of the step
+:zh: 三次曲线规格化差分表的四式
+:given: any coefficients of a cubic in space, any $t$ and $\delta\ne0$; the differences at $t$ and at $t+\delta$
+:where: $\delta\ne0$
+:then: $\frac1{\delta^k}\Delta^kP_1=\frac1{\delta^k}\Delta^kP_0+\delta\cdot\frac1{\delta^{k+1}}\Delta^{k+1}P_0$ for $k=0,1,2$ and
+  $\frac1{\delta^3}\Delta^3P_1=\frac1{\delta^3}\Delta^3P_0$
+:method: Both sides by the alternating sums of the definition; no kernel is used.
+:degrees: 3..3
+:over: x# y# z#: coefficients; d: δ
+:control: the differences at $t+2\delta$
+:::
+*/
+CLAIM(printed_divided_lines_step_a_cubic) { G(compare_lines)(T, 1); }
 
 /*
 :::{statement} hu-1987:1-4-stepping
@@ -397,8 +418,8 @@ CLAIM(printed_lines_step_a_cubic)
 :zh: 反复加法求各点
 :printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the
   other by repeated additions.
-:holds-by: step_takes_differences_to_the_next_place table_after_any_number_of_steps
-:confirmed-by: additions_step_along_the_curve
+:holds-by: printed_lines_step_a_cubic table_after_any_number_of_steps
+:confirmed-by: step_takes_differences_to_the_next_place additions_step_along_the_curve
 :figure: forward_differences
 :::
 
@@ -475,7 +496,8 @@ and additions; with another step it is not.
   $\delta$ is.
 :figure: stepping_and_rounding
 
-The table is made for each coordinate alone.
+The table is made for each coordinate alone.  Products with a sum of few powers of two, such as $\frac34$, are shifts and additions as
+well; a step $\delta=\frac1n$ with a whole $n$ is such a sum only if it is a power of two itself.
 :::
 */
 

@@ -26,7 +26,7 @@ of degree two, the vector product of its first two derivatives.
 :zh: 三次曲线的各阶导矢
 :given: any coefficients in space, any $t$
 :then: $P'=3At^2+2Bt+C$, $P''=6At+2B$, $P'''=6A$
-:method: The kernel against the printed expressions, everything a variable.
+:method: The sum of powers differentiated term by term, and the kernel, against the printed expressions, everything a variable.
 :over: x# y# z#: coefficients
 :control: $3At$ in the place of $3At^2$
 :::
@@ -39,9 +39,12 @@ CLAIM(derivatives_of_a_cubic)
     for (int j = 0; j < space; j++) {
         num C = c[space + j], B = c[2 * space + j], A = c[3 * space + j], tt = fault(T, mul(t, t), t);
         /* P' = 3At² + 2Bt + C,   P'' = 6At + 2B,   P''' = 6A */
-        same(T, D[space + j], add(add(mul(mul(from_int(3), A), tt), mul(mul(from_int(2), B), t)), C));
-        same(T, D[2 * space + j], add(mul(mul(from_int(6), A), t), mul(from_int(2), B)));
-        same(T, D[3 * space + j], mul(from_int(6), A));
+        num printed[] = {add(add(mul(mul(from_int(3), A), tt), mul(mul(from_int(2), B), t)), C),
+                         add(mul(mul(from_int(6), A), t), mul(from_int(2), B)), mul(from_int(6), A)};
+        for (int r = 1; r <= 3; r++) {
+            same(T, G(power_sum_derivative)(3, space, c, j, r, t), printed[r - 1]);
+            same(T, D[r * space + j], printed[r - 1]);
+        }
     }
 }
 
@@ -120,11 +123,11 @@ CLAIM(curvature_divides_by_zero_at_a_cusp)
 :refuted-by: printed_letter_spoils_the_curvature
 :class: misprint
 :corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed, at points with $\dot P\ne0$
-:corrected-by: curvature_by_the_vector_product curvature_and_torsion_belong_to_arc_length
+:corrected-by: curvature_by_the_vector_product curvature_belongs_to_arc_length
 :meant: the letter, and the formula of the torsion below it, in which $\ddot P$ stands for the third derivative, too | $s$ is the length of the arc, and a dot
   over it is missing.
 :reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc
-:reading: curvature_and_torsion_belong_to_arc_length | $s=|\dot P|$ is the speed, at points with $\dot P\ne0$, which the text at hand does not say
+:reading: curvature_by_the_vector_product | $s=|\dot P|$ is the speed, at points with $\dot P\ne0$, which the text at hand does not say
 :hypothesis: curvature_divides_by_zero_at_a_cusp | $\dot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: curvature_and_the_speed
 :::
@@ -214,13 +217,12 @@ polynomial and everything can be compared in rational numbers.
 :zh: 拐点的定义
 :definition: yes
 :printed: By the formula of the curvature, where $K=0$ the point is called an inflection.
-:checked-by: curvature_and_torsion_belong_to_arc_length curvature_by_the_vector_product turning_of_a_cubic_is_quadratic sign_of_delta_tells_the_form
-  merged_inflections_are_a_cusp
-:confirmed-by: fourth_power_has_curvature_zero_on_one_side
+:checked-by: curvature_belongs_to_arc_length curvature_by_the_vector_product turning_of_a_cubic_is_quadratic
+:confirmed-by: sign_of_delta_tells_the_form merged_inflections_are_a_cusp fourth_power_has_curvature_zero_on_one_side
 :figure: forms_of_a_cubic
 
 For plane cubics with $A\times B\ne0$ a double zero of the quadratic $\dot P\times\ddot P$, whose discriminant is $12\delta$ by
-`sign_of_delta_tells_the_form`, is a cusp.  A curve of higher degree may have $K=0$
+`sign_of_delta_tells_the_form`, is a cusp by `merged_inflections_are_a_cusp`.  A curve of higher degree may have $K=0$
 and stay on one side of its tangent, as $(t,t^4)$ at $t=0$.
 :::
 
@@ -305,9 +307,13 @@ P$ cancel, because $A\times A=0$; the quadratic one is $A\times B$, and it can v
 :zh: 拐点满足二次方程
 :printed: This is a quadratic equation of $t$, the parameter running over $[0,1]$.
 :holds-by: turning_of_a_cubic_is_quadratic
+:meant: the two forms before it, $\dot P\times\ddot P=0$ and $\ddot P=g\dot P$ with an unknown $g$ | The equation is the one without $g$: $\dot P\times\ddot P=0$.
 :hypothesis: graph_of_a_cubic_turns_linearly | $A\times B\ne0$.  Otherwise the equation is of lower degree, as for the graph $(t,t^3)$, with one
   inflection.
 :figure: degrees_two_and_three
+
+For a plane cubic it is one equation; in space there is one for each coordinate of the vector product, of degree 2 in those where $A\times B$
+is not 0.
 :::
 
 :::{claim} turning_of_a_cubic_is_quadratic

@@ -22,10 +22,10 @@ enum { dim = 2, space = 3 };
 :printed: In general the pieces should reach continuity of position, slope and curvature, called $C^0$, $C^1$, $C^2$ continuity, as the case demands.
 :refuted-by: continuous_slope_with_another_speed
 :class: false
-:corrected: Let $\dot P_{\mathrm I}(1)\ne0$.  The slope is continuous when (1-5-2) holds with some $\lambda>0$, and position, slope and the
-  vector of curvature when (1-5-1) to (1-5-3) hold: at the joint the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
+:corrected: Let $\dot P_{\mathrm I}(1)\ne0$.  Position and slope are continuous when (1-5-1) and (1-5-2) hold with some $\lambda>0$, and so is the
+  vector of curvature when (1-5-3) holds as well: at the joint the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
 :corrected-by: conditions_make_one_curve_in_another_parameter equal_unit_tangents_fix_the_ratio condition_keeps_the_curvature_vector
-:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; where all derivatives are 0 the
+:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; where all vectors in them are 0 the
   conditions hold at a corner.
 :meant: the definition of $C^r$ in section 1-4 of the same book | $C^0$, $C^1$, $C^2$ say of the derivatives what they say there.
 :reading: continuous_slope_with_another_speed | $C^r$ is what section 1-4 defines
@@ -205,8 +205,8 @@ learned by heart.
 :needs: negative_ratio_turns_back | the line itself, where $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient
   of lengths: with $\lambda<0$ the curve turns on its heel.
 :needs: singular_end_has_no_ratio | the line itself, where $\lambda$ is the quotient of the lengths of tangent vectors | neither derivative is 0 at the
-  joint; as where there are unit tangent vectors: otherwise a quotient of lengths does not exist, and the tangents may be one
-  although no $\lambda$ is.
+  joint; as where there are unit tangent vectors: with $\dot P_{\mathrm I}(1)=0$ the tangents may be one although there is no $\lambda$, and with
+  $\dot P_{\mathrm{II}}(0)=0$ alone $\lambda=0$, whatever the tangents are.
 :figure: joints_of_order
 
 The index $x$ is read as II, that of the second piece.
@@ -454,8 +454,8 @@ CLAIM(zero_ratio_has_unbounded_curvature)
 
 /*
 :::{claim} vanishing_derivatives_hide_a_jump_of_curvature
-:title: Where all derivatives vanish the conditions hold and the curvature jumps
-:zh: 导矢全为零时条件成立而曲率间断
+:title: Where the first two derivatives vanish the conditions hold and the curvature jumps
+:zh: 一、二阶导矢为零时条件成立而曲率间断
 :kind: counterexample
 :given: a first piece on the $x$-axis, and a second one along the parabola $y=x^2$, which touches that axis, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of
   $1,t,t^2,\dots$; $\lambda$ and $\beta$
@@ -492,8 +492,8 @@ CLAIM(vanishing_derivatives_hide_a_jump_of_curvature)
 
 /*
 :::{claim} vanishing_derivatives_hide_a_corner
-:title: Where all derivatives vanish the conditions hold at a corner
-:zh: 导矢全为零时条件成立而有角点
+:title: Where the first two derivatives vanish the conditions hold at a corner
+:zh: 一、二阶导矢为零时条件成立而有角点
 :kind: counterexample
 :given: two cubic pieces on the axes, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$; $\lambda$ and $\beta$
 :data: P_I = (-1,0) (3,0) (-3,0) (1,0); P_II = (0,0) (0,0) (0,0) (0,1); λ = 1; β = 0
@@ -552,7 +552,9 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
   I}(1)\ne0$; as where there is a unit tangent vector: without it the condition does not suffice.
 :meant: the formula of section 1-4, by which the curvature is a number without a sign | The curvature is $K$.
 :reading: equal_curvatures_to_different_sides | the curvature is $K$
-:reading: curvature_vector_forces_the_condition | it is the vector of curvature, or in the plane the curvature with its sign
+:reading: curvature_vector_forces_the_condition | it is the vector of curvature
+:reading: signed_curvature_is_that_of_the_vector | in the plane it is the curvature with its sign, which with one unit tangent is continuous exactly where the vector is,
+  so that this is reading 2
 :needs: negative_ratio_turns_back | (1-5-2), where $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient of lengths.
 :figure: same_curvature_other_side
 :striking: 43
@@ -567,8 +569,8 @@ $K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be conti
 :given: two parabolas that meet, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
 :data: P_I = (-1,1) (1,-2) (0,1); P_II = (0,0) (1,0) (0,-1)
 :instead: P_II = (0,0) (1,0) (0,1)
-:then: at the joint $P'$ and $K$ are the same for both, so $\lambda=1$; but $P_{\mathrm{II}}''-P_{\mathrm I}''$ is no multiple $\beta P'$
-:result: P_I', P_I'' = (1,0) (0,2); P_II', P_II'' = (1,0) (0,-2); K² = 4 4; P_II'' - P_I'' = (0,-4)
+:then: at the joint $P$, $P'$ and $K$ are the same for both, so $\lambda=1$; but $P_{\mathrm{II}}''-P_{\mathrm I}''$ is no multiple $\beta P'$
+:result: P_I, P_I', P_I'' = (0,0) (1,0) (0,2); P_II, P_II', P_II'' = (0,0) (1,0) (0,-2); K² = 4 4; P_II'' - P_I'' = (0,-4)
 :method: Derivatives and $K^2$ by the kernels; the determinant of the difference and $P'$ should vanish.
 :control: a second parabola bent to the same side
 :::
@@ -582,12 +584,14 @@ CLAIM(equal_curvatures_to_different_sides)
     G(power_derivatives)(2, dim, second, from_int(0), 2, E);
     num square[2] = {G(curvature_squared)(2, D + 2, D + 4), G(curvature_squared)(2, E + 2, E + 4)};
     num gap[2] = {sub(E[4], D[4]), sub(E[5], D[5])};
-    found_points(T, "P_I', P_I''", 2, 2, D + 2);
-    found_points(T, "P_II', P_II''", 2, 2, E + 2);
+    found_points(T, "P_I, P_I', P_I''", 3, 2, D);
+    found_points(T, "P_II, P_II', P_II''", 3, 2, E);
     found_points(T, "K²", 2, 1, square);
     found_points(T, "P_II'' - P_I''", 1, 2, gap);
-    about(T, "the curvature being continuous, whether the difference of the second derivatives is parallel to P'");
-    refute(T, equal_q(square[0], square[1]) && !is_zero_q(G(cross2)(gap, D + 2)));
+    int joined = same_point(D, E) && same_point(D + 2, E + 2) && equal_q(square[0], square[1]);
+    about(T, "position, tangent and curvature being the same, whether the difference of the second derivatives is "
+             "parallel to P'");
+    refute(T, joined && !is_zero_q(G(cross2)(gap, D + 2)));
 }
 #endif
 

@@ -75,7 +75,8 @@ denominator with it as a weight.
 :title: Parametric curves are easily mapped by affine and projective maps
 :zh: 参数曲线易于作仿射与射影变换
 :printed: Geometric transformations of parametric curves, such as affine and projective ones, are easily carried out.
-:reading: image_of_a_power_curve_is_one | affine ones can be carried out on the coefficients: each is multiplied by one matrix, and one vector is added
+:reading: image_of_a_power_curve_is_one | affine ones can be carried out on the coefficients: each is multiplied by one matrix, and one vector is
+  added to the one of $t^0$
 :reading: projective_image_of_a_power_curve_is_rational | so can projective ones: each is multiplied by one matrix, and the point is divided
 :reading: projective_image_is_not_the_curve_of_the_images | so can projective ones on control points, each mapped for itself
 :reading: what is easy: an opinion, which no computation decides

@@ -17,7 +17,8 @@ should be as far as one pixel (象素).
   continually, here about the $z$-axis, gives a circle as well.
 :holds-by: rotation_matrix_adds_the_angle rotated_points_are_equally_spaced
 :needs: centre_is_never_turned | the sentence after it, $y_1=r\sin\theta=1$ | $A_0\ne(0,0)$
-:needs: angle_zero_turns_no_point | the angle of the sentence after it, $\theta=\sin^{-1}\frac1r$ | $\theta\ne0$
+:needs: angle_zero_turns_no_point | the angle of the sentence after it, $\theta=\sin^{-1}\frac1r$ | $\theta$ is no
+  multiple of $2\pi$
 :figure: three_generators
 :::
 
@@ -42,6 +43,8 @@ radii that a screen has the two are nearly the same; for the smallest ones they 
 :figure: step_of_the_third_way
 
 For $0<\theta<\frac\pi2$ and $r\sin\theta=1$ the square of the distance is between 1 and $1+\frac1{r^2}$: `distance_of_the_third_way_tends_to_a_pixel`.
+The height of $A_1$ is $r\sin\theta$ where the turning begins at $A_0=(r,0)$; the distance is the same wherever it begins:
+`rotated_points_are_equally_spaced`.
 :::
 */
 
@@ -51,7 +54,7 @@ For $0<\theta<\frac\pi2$ and $r\sin\theta=1$ the square of the distance is betwe
 :title: At height one the second point is farther than one from the first
 :zh: 高度为一而距离大于一
 :kind: counterexample
-:given: the radius $r$, $A_0=(r,0)$, and the cosine of the angle $\theta$ by which it is turned to $A_1$
+:given: the radius $r$, $A_0=(r,0)$, and the cosine of the angle $\theta$ between 0 and $\pi$ by which it is turned to $A_1$
 :data: r = 5/4; cos θ = 3/5
 :then: $A_1$ has the height $r\sin\theta=1$, and $|A_0A_1|$ is more than 1
 :result: (r sin θ)² = 1; |A_0A_1|² = 5/4
@@ -132,29 +135,32 @@ CLAIM(distance_of_the_third_way_tends_to_a_pixel)
 
 /*
 :::{claim} larger_difference_is_the_height
-:title: Of the differences of the coordinates of the first two points the height is the larger one
+:title: Of the differences of the coordinates of the first two points none is larger than the height
 :zh: 首两点坐标差以高度为大
-:given: $0<\theta<\frac\pi2$ with the tangent $a$ of its half, $A_0=(r,0)$, $r=\frac1{\sin\theta}$
-:then: the differences of the coordinates are $r-r\cos\theta=a$ and $r\sin\theta=1$; $0<a<1$, so that the larger one is 1
-:method: The point by the rotation, in the field, $a=\frac\alpha{1+\alpha}$, $\alpha>0$.
-:scope: 0 < θ < π/2
+:given: $0<\theta\le\frac\pi2$ with the tangent $a$ of its half, $A_0=(r,0)$, $r=\frac1{\sin\theta}$
+:then: the differences of the coordinates are $r-r\cos\theta=a$ and $r\sin\theta=1$; $0<a\le1$, so that none is larger than 1
+:method: The point by the rotation, in the field, $a=\frac\alpha{1+\alpha}$, $\alpha>0$, and for $a=1$.
+:scope: $0<\theta\le\frac\pi2$
 :over: a: -
 :control: the sum of the two
 :::
 */
 CLAIM(larger_difference_is_the_height)
 {
-    num a = inside(T, "a"), one = from_int(1), M[4], next[2];
-    struct G(turn) angle = G(turn_by)(a);
-    num first[2] = {div(one, angle.sin), from_int(0)};
-    G(rotation)(angle, M);
-    G(row_times)(first, M, next);
-    num across = sub(first[0], next[0]);
-    about(T, "the difference of the abscissas");
-    same(T, across, a);
-    nonnegative(T, sub(one, a));
-    about(T, "the larger difference");
-    same(T, fault(T, next[1], add(next[1], across)), one);
+    num acute = inside(T, "a"), one = from_int(1), M[4], next[2];
+    for (int right_angle = 0; right_angle < 2; right_angle++) {
+        num a = right_angle ? one : acute;
+        struct G(turn) angle = G(turn_by)(a);
+        num first[2] = {div(one, angle.sin), from_int(0)};
+        G(rotation)(angle, M);
+        G(row_times)(first, M, next);
+        num across = sub(first[0], next[0]);
+        about(T, "the difference of the abscissas");
+        same(T, across, a);
+        nonnegative(T, sub(one, a));
+        about(T, "the larger difference");
+        same(T, fault(T, next[1], add(next[1], across)), one);
+    }
 }
 
 /*

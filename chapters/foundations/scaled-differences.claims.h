@@ -98,7 +98,7 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 :printed: $P_1=P_0+\delta\bigl(\frac1\delta\Delta P_0\bigr)$, $\frac1\delta\Delta P_1=\frac1\delta\Delta
   P_0+\delta\bigl(\frac1{\delta^2}\Delta^2P_0\bigr)$, $\frac1{\delta^2}\Delta^2P_1=\frac1{\delta^2}\Delta^2P_0+\delta\bigl(\frac1{\delta^3}\Delta^3P_0\bigr)$,
   $\frac1{\delta^3}\Delta^3P_1=\frac1{\delta^3}\Delta^3P_0$
-:holds-by: printed_lines_step_a_cubic
+:holds-by: printed_divided_lines_step_a_cubic
 :confirmed-by: step_takes_differences_to_the_next_place
 :meant: the sentence before, by which additions lead from $t=0$ to $\delta,2\delta,\dots$ one after the other | $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at
   $t=\delta$, not at the $t=i\delta$ that is printed for them.
@@ -203,7 +203,7 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :zh: 步长为 2 的幂时高速计算
 :printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table table_after_any_number_of_steps
-  printed_lines_step_a_cubic
+  printed_divided_lines_step_a_cubic
 :confirmed-by: stepping_reaches_the_other_end table_is_whole_in_units_of_the_cube stepping_is_exact_for_short_coefficients
 :meant: the words before the table, with shifts and additions only, and thereby (从而) at high speed | High speed is: with shifts and additions
   in the place of products.

@@ -16,7 +16,7 @@ torsion is a single number, which vanishes exactly when the cubic is plane.
 :refuted-by: printed_vectors_have_no_torsion
 :class: misprint
 :corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$
-:corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
+:corrected-by: torsion_by_speed_and_curvature torsion_belongs_to_arc_length
 :hypothesis: torsion_divides_by_zero_at_an_inflection | $\dot P\times\ddot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: derivatives_with_lost_dots
 :::
@@ -125,7 +125,7 @@ curve has to be taken at a place where it is not; there one sees that the sixth 
 :refuted-by: printed_power_spoils_the_torsion
 :class: misprint
 :corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$
-:corrected-by: torsion_by_speed_and_curvature curvature_and_torsion_belong_to_arc_length
+:corrected-by: torsion_by_speed_and_curvature torsion_belongs_to_arc_length
 :hypothesis: torsion_divides_by_zero_at_an_inflection | $\dot P\times\ddot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: torsion_and_the_speed
 

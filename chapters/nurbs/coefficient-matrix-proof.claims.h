@@ -119,6 +119,7 @@ CLAIM(zero_power_at_a_knot_of_multiplicity_k)
 :corrected: the same sum over the $\lambda$ with $\tau_\lambda>t_r$ only; over all $\lambda$ it is 0, a divided difference
   of order $k$ of a polynomial of degree $k-1$
 :corrected-by: truncated_power_gives_the_basis all_full_powers_sum_to_nothing
+:needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: full_powers
 :::
 */
@@ -224,6 +225,7 @@ CLAIM(full_powers_sum_to_nothing)
 :refuted-by: full_powers_sum_to_nothing
 :corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
 :corrected-by: binomial_theorem_in_every_degree truncated_power_gives_the_basis
+:needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :confirmed-by: powers_expand_in_the_parameter printed_double_sum_gives_the_basis
 :figure: full_powers
 :::

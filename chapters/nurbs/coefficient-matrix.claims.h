@@ -158,32 +158,34 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
 :printed: \mathbf r^*(u)=\sum_{i=r-k+1}^rN_{i,k}(t)\mathbf r_i=(1,u,\dots,u^{k-1})\,\mathbf A_{r,k,T}\,(\mathbf
   r_{r-k+1},\mathbf r_{r-k+2},\dots,\mathbf r_r)^T,\quad 0\le u<1
 :holds-by: matrix_gives_homogeneous_curve
+:confirmed-by: quotient_of_the_matrix_sums_is_the_affine_curve
 :needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
+:needs: polynomial_of_a_span_ends_with_it | the line itself: $0\le u<1$ | $t$ lies in the span
 :meant: definition 4.4.1: the NURBS curve (4.1.1), in homogeneous coordinates | The $\mathbf r_i$ are the
   $\tilde{\mathbf r}_i=(w_i\mathbf r_i,w_i)$ of (4.1.1); only the tilde is left out.
 :reading: affine_points_need_the_weights | with the affine points and the affine curve, which (4.1.2) calls so: where the weights
   of the span differ it may be another curve
 :figure: matrix_and_weights
 
-The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r_i)^T$ and $(1,\dots,u^{k-1})\,\mathbf A\,(w_i)^T$.
+The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r_i)^T$ and $(1,\dots,u^{k-1})\,\mathbf A\,(w_i)^T$, where the second is not 0:
+`quotient_of_the_matrix_sums_is_the_affine_curve`.
 :::
 
 :::{claim} matrix_gives_homogeneous_curve
 :title: The matrix applied to homogeneous points gives the homogeneous curve
 :zh: 齐次坐标下的矩阵表示
 :given: orders $k$, every pattern of the knots up to order 4 and the two extreme ones above, points and weights variables, $u$ variable
-:then: $(1,\dots,u^{k-1})A\,(\tilde r_{r-k+1},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$,
-  and the quotient of the two coordinates is $\sum N_{i,k}w_ir_i/\sum N_{i,k}w_i$
+:then: $(1,\dots,u^{k-1})A\,(\tilde r_{r-k+1},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$
 :method: The coefficients are computed first, from the matrix and the points, then the sum of the powers.  A coordinate
   is any coordinate, so one suffices.
 :degrees: 0..4 sampled 7
 :scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots; x#: points
-:where: $w(t)\ne0$
 :control: the last weight left out
 :::
 */
-CLAIM(matrix_gives_homogeneous_curve)
+/* The homogeneous curve of every pattern by the matrix and by the definition; its two coordinates are compared, or the quotient of them. */
+static void G(compare_curve_of_span)(trial *T, int affine)
 {
     int k = T->degree + 1;
     num knots[2 * LARGEST_ORDER];
@@ -207,13 +209,32 @@ CLAIM(matrix_gives_homogeneous_curve)
                 left[0] = add(left[0], mul(share, mul(weight, x[i])));
                 left[1] = add(left[1], mul(share, w[i]));
             }
-        about(T, "homogeneous coordinates");
-        same(T, left[0], right[0]);
-        same(T, left[1], right[1]);
-        about(T, "the affine point");
-        same(T, div(left[0], left[1]), div(right[0], right[1]));
+        if (affine) {
+            same(T, div(left[0], left[1]), div(right[0], right[1]));
+        } else {
+            same(T, left[0], right[0]);
+            same(T, left[1], right[1]);
+        }
     }
 }
+
+CLAIM(matrix_gives_homogeneous_curve) { G(compare_curve_of_span)(T, 0); }
+
+/*
+:::{claim} quotient_of_the_matrix_sums_is_the_affine_curve
+:title: The quotient of what the matrix gives for the two coordinates is the affine curve
+:zh: 两个齐次坐标之商为仿射曲线
+:given: orders $k$, every pattern of the knots up to order 4 and the two extreme ones above, points and weights variables, $u$ variable
+:then: $(1,\dots,u^{k-1})A\,(w_ir_i)^T\big/(1,\dots,u^{k-1})A\,(w_i)^T=\sum N_{i,k}w_ir_i\big/\sum N_{i,k}w_i$
+:method: As in `matrix_gives_homogeneous_curve`, with the quotients of both sides.
+:degrees: 0..4 sampled 7
+:scope: every pattern of the knots around a span up to order 4, the two extreme ones above
+:over: t#: knots; x#: points
+:where: $w(t)\ne0$
+:control: the last weight left out of the numerator
+:::
+*/
+CLAIM(quotient_of_the_matrix_sums_is_the_affine_curve) { G(compare_curve_of_span)(T, 1); }
 
 #if RATIONAL
 /*
@@ -331,6 +352,7 @@ Printed is $l_a$ for $l_q$, see `notation-4.4`.
 :holds-by: printed_double_sum_gives_the_basis
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
+:needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: both_matrices
 :::
 */
@@ -481,6 +503,7 @@ CLAIM(column_by_differences_is_the_function)
 :confirmed-by: matrix_by_differences_is_the_matrix
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
+:needs: polynomial_of_a_span_ends_with_it | the line itself: on $[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: matrix_and_weights
 
 For the homogeneous curve (4.1.1).  The columns of (4.4.12) and of the matrix have the same polynomials of $u$, so they are the same.

@@ -300,7 +300,8 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is not 0.
 :reading: slope_is_constant_where_nothing_turns | for all $t$ | A quotient whose derivative is 0 on an interval is constant there; where $x'$ is 0 for all $t$, $x$ is.
 :corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
 :corrected-by: slope_is_constant_where_nothing_turns
-:argued: | A quotient whose derivative is 0 on an interval is constant there: so the slope $y'/x'$ is, and $y=ax+b$; where $x'$ is 0 for all $t$, $x$ is constant.
+:argued: | A quotient whose derivative is 0 on an interval is constant there: so on an interval without zeros of $x'$ the slope $y'/x'$ is, and $y=ax+b$ there; both being rational, so
+  it is on the whole span.  Where $x'$ is 0 for all $t$, $x$ is constant.
 :figure: nurbs_second_line
 :::
 */

@@ -306,7 +306,7 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
   $\mathbf r^{[2]}(t,\tau)=\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)\mathbf
   r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)$
 :definition: yes
-:checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments first_level_condition_factors
+:checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
 :hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$
 :hypothesis: extrapolated_member_has_a_pole | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$;
   where for one $\tau$ a weight is 0, for another one it is negative, and the denominator may vanish

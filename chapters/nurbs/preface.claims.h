@@ -18,11 +18,27 @@ this can be computed is decided here.
 
 /*
 :::{statement} wang-ch4:preface-generalization
-:title: Piecewise polynomial generalises to piecewise rational; B-spline and rational Bézier curves are special cases
-:zh: 由分段多项式推广到分段有理多项式;B 样条曲线与有理 Bézier 曲线为其特例
+:title: Piecewise polynomial generalises to piecewise rational
+:zh: 由分段多项式推广到分段有理多项式
 :printed: As the polynomial Bézier curve was generalised to the rational one of the chapter before, the nonuniform B-spline curve, a piecewise polynomial, is
-  generalised to the piecewise rational NURBS curve, of which B-spline curves and rational Bézier curves are special cases
-:holds-by: nurbs_point_is_the_weighted_mean equal_weights_give_bspline bezier_knots_give_rational_bezier
+  generalised to the piecewise rational NURBS curve
+:holds-by: nurbs_point_is_the_weighted_mean
+:figure: nurbs_circle
+:::
+
+:::{statement} wang-ch4:preface-special-case-bspline
+:title: B-spline curves are special cases of NURBS
+:zh: B 样条曲线为 NURBS 的特例
+:printed: B-spline curves are one of the two special cases of NURBS curves that the chapters before have treated
+:holds-by: equal_weights_give_bspline
+:figure: nurbs_circle
+:::
+
+:::{statement} wang-ch4:preface-special-case-bezier
+:title: Rational Bézier curves are special cases of NURBS
+:zh: 有理 Bézier 曲线为 NURBS 的特例
+:printed: rational Bézier curves are one of the two special cases of NURBS curves that the chapters before have treated
+:holds-by: bezier_knots_give_rational_bezier
 :figure: nurbs_circle
 :::
 
@@ -553,7 +569,7 @@ and references.
   issued by ISO in 1991 [1]; and well-known CAD companies, too, build their modelling systems first of all on the mathematical model of NURBS
 :reading: as history: no computation decides it.  The work cited for it is an article of 1991 on data exchange with STEP.
 :reading: as mathematics, that no other kind of curve is needed beside NURBS: that is not said; B-spline and rational Bézier curves are
-  among them, see `preface-generalization`.
+  among them, see `preface-special-case-bspline` and `preface-special-case-bezier`.
 :::
 */
 #include "chapters/judge/claims_off.h"

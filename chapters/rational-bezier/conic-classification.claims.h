@@ -228,8 +228,8 @@ CLAIM(determinant_is_not_the_printed_form)
 :zh: 所印系数正确
 :given: the triangle in special position, the weights $1,\omega,1$, and a parameter $u$
 :then: $S(R^*(u))=0$ for the coefficients (3.5.4), and these are what the three lines of the triangle give
-:method: The point of the curve is put into the form; and the six coefficients are compared with the kernel's, whose
-  definition is the resultant.
+:method: The homogeneous coordinates $X,Y,W$ of the point of the curve are put into $AX^2+2BXY+CY^2+2DXW+2EYW+FW^2$, so that nothing is divided; and the six coefficients are
+  compared with the kernel's, whose definition is the resultant.
 :over: l
 :control: $D=\omega^2l^2x_1$ for $D=0$
 :::
@@ -237,13 +237,18 @@ CLAIM(determinant_is_not_the_printed_form)
 CLAIM(printed_coefficients_are_the_conic_of_the_curve)
 {
     num l = positive(T, "l", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1), omega = positive(T, "w", 1);
-    num u = parameter(T, "u"), R[6], w[3], S[6], K[6], P[2];
+    num u = parameter(T, "u"), R[6], w[3], S[6], K[6], H[9], P[3], two = from_int(2);
     G(special_position)(l, x1, y1, omega, R, w);
     G(printed_form)(l, x1, y1, omega, S);
     S[3] = fault(T, S[3], mul(mul(omega, omega), mul(mul(l, l), x1)));
-    G(rational_point)(2, 2, R, w, u, P);
+    G(rational_homogenize)(2, 2, R, w, H);
+    G(bezier_casteljau)(2, 3, H, u, P);
+    num X = P[0], Y = P[1], W = P[2];
+    num squares = add(add(mul(S[0], mul(X, X)), mul(S[2], mul(Y, Y))), mul(S[5], mul(W, W)));
+    num products = add(add(mul(S[1], mul(X, Y)), mul(S[3], mul(X, W))), mul(S[4], mul(Y, W)));
     about(T, "the form along the curve");
-    vanishes(T, G(form)(S, P[0], P[1]));
+    /* A X² + 2B XY + C Y² + 2D XW + 2E YW + F W² */
+    vanishes(T, add(squares, mul(two, products)));
     G(conic_of_bezier)(R, w, K);
     about(T, "the coefficients");
     for (int k = 0; k < 6; k++)

@@ -205,7 +205,7 @@ believed.
 :title: The first derivative at t = 0
 :zh: t=0 处一阶导矢
 :printed: \mathbf R'(0)=n\,\omega_1\mathbf a_1/\omega_0
-:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_begins_with_its_differences
+:holds-by: derivative_vectors_at_zero_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
@@ -213,7 +213,7 @@ believed.
 :title: The second derivative at t = 0
 :zh: t=0 处二阶导矢
 :printed: \mathbf R''(0)=n(n-1)\,\omega_2\mathbf a_2/\omega_0+f_1\mathbf a_1
-:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_begins_with_its_differences
+:holds-by: derivative_vectors_at_zero_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
@@ -221,7 +221,7 @@ believed.
 :title: The third derivative at t = 0
 :zh: t=0 处三阶导矢
 :printed: \mathbf R'''(0)=n(n-1)(n-2)\,\omega_3\mathbf a_3/\omega_0+g_2\mathbf a_2+g_1\mathbf a_1
-:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_begins_with_its_differences
+:holds-by: derivative_vectors_at_zero_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
 :::
 
@@ -229,7 +229,7 @@ believed.
 :title: What the coefficients f_1, g_1, g_2 depend on
 :zh: f_1、g_1、g_2 的依赖关系
 :printed: Here $f_1$, $g_2$, $g_1$ are determined by the weights and $n$.
-:holds-by: end_derivative_vectors_in_every_degree bernstein_sum_begins_with_its_differences
+:holds-by: derivative_vectors_at_zero_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
 :::
 */
@@ -255,76 +255,87 @@ static inline void G(end_vectors)(num n, const num w[], const num a[], int facto
 }
 
 /*
-:::{claim} end_derivative_vectors_in_every_degree
-:title: The first three derivatives at both ends in terms of the edges, for every n
-:zh: 两端前三阶导矢用边矢表示（任意 n）
-:given: any $n$; weights, $\omega_0\ne0$ and $\omega_n\ne0$; $R_0$ and the edges $a_1,a_2,a_3$; and at the other end
-  $\omega_n,\omega_{n-1},\dots$, $R_n$ and $a_n,a_{n-1},a_{n-2}$
-:where: $\omega_0\ne0$ at $t=0$ and $\omega_n\ne0$ at $t=1$
+:::{claim} derivative_vectors_at_zero_in_every_degree
+:title: The first three derivatives at t = 0 in terms of the edges, for every n
+:zh: t=0 处前三阶导矢用边矢表示（任意 n）
+:given: any $n$; weights, $\omega_0\ne0$; $R_0$ and the edges $a_1,a_2,a_3$
+:where: $\omega_0\ne0$
 :let: $\omega_0f_1=n(n-1)(\omega_2-2\omega_1)-2n\omega'\omega_1/\omega_0$, $\omega_0g_2=n(n-1)(n-2)(\omega_3-3\omega_2)-3n(n-1)\omega'\omega_2/\omega_0$,
   $\omega_0g_1=n(n-1)(n-2)(\omega_3-3\omega_2+3\omega_1)-3\omega'f_1-3n\omega''\omega_1/\omega_0$ with $\omega'=n(\omega_1-\omega_0)$ and
-  $\omega''=n(n-1)(\omega_2-2\omega_1+\omega_0)$; $\tilde f_1$, $\tilde g_1$, $\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
+  $\omega''=n(n-1)(\omega_2-2\omega_1+\omega_0)$
 :then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
-  $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$,
-  $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
-  $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
+  $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$
 :method: $\sum B_i^n(t)c_i$ has at $0$ the Taylor coefficients $\binom nj\Delta^jc_0$;
   numerator and denominator are divided as power series, with $n$ a
-  variable of the field.  At $1$ the same in $s=1-t$ with the polygon reversed, where
-  $R_{n-i}=R_n-a_n-\dots-a_{n-i+1}$, and a derivative of odd order by $t$ is minus that by $s$.  What does not exist
-  for $n<3$ has a factor $0$.  A coordinate is any coordinate.
+  variable of the field.  What does not exist for $n<3$ has a factor $0$.  A coordinate is any coordinate.
 :degrees: all
 :over: n: -; a#: edges
 :control: $-\omega_1$ for $-2\omega_1$ in $f_1$
 :::
 */
-CLAIM(end_derivative_vectors_in_every_degree)
+/* The derivatives at t = 0, end = 0, or at t = 1, end = 1, by power series, against the right sides. */
+static inline void G(compare_end_vectors)(trial *T, int end)
 {
-    num n = positive(T, "n", 0), w[4], R[4], a[4], D[4];
+    num n = positive(T, "n", 0), w[4], R[4], a[4], D[4], p[4], v[4], choose = from_int(1);
     for (int i = 0; i < 4; i++) {
         w[i] = positive(T, "w", i);
         a[i] = unknown(T, "a", i); /* a_0 stands for the end point */
     }
     G(end_vectors)(n, w, a, fault(T, 2, 1), D);
-    for (int end = 0; end <= 1; end++) {
-        G(series) P, W;
-        num p[4], v[4], choose = from_int(1);
-        for (int i = 0; i < 4; i++) {
-            num edge = end == 0 ? a[i] : neg(a[i]);
-            R[i] = i > 0 ? add(R[i - 1], edge) : a[0];
-            p[i] = mul(w[i], R[i]);
-            v[i] = w[i];
-        }
-        for (int j = 0; j < 4; j++) {
-            P.c[j] = mul(choose, p[0]);
-            W.c[j] = mul(choose, v[0]);
-            choose = mul(choose, div(sub(n, from_int(j)), from_int(j + 1)));
-            for (int i = 0; i < 3 - j; i++) {
-                p[i] = sub(p[i + 1], p[i]);
-                v[i] = sub(v[i + 1], v[i]);
-            }
-        }
-        G(series) curve = G(series_div)(P, W);
-        num sign = from_int(end == 0 ? 1 : -1); /* of the derivatives of odd order */
-        about(T, end == 0 ? "at t = 0" : "at t = 1");
-        /* k! times the coefficient of t^k, or of (1-t)^k */
-        same(T, curve.c[0], R[0]);
-        same(T, mul(sign, curve.c[1]), D[1]);
-        same(T, mul(from_int(2), curve.c[2]), mul(sign, D[2]));
-        same(T, mul(mul(sign, from_int(6)), curve.c[3]), D[3]);
+    G(series) P, W;
+    for (int i = 0; i < 4; i++) {
+        num edge = end == 0 ? a[i] : neg(a[i]);
+        R[i] = i > 0 ? add(R[i - 1], edge) : a[0];
+        p[i] = mul(w[i], R[i]);
+        v[i] = w[i];
     }
+    for (int j = 0; j < 4; j++) {
+        P.c[j] = mul(choose, p[0]);
+        W.c[j] = mul(choose, v[0]);
+        choose = mul(choose, div(sub(n, from_int(j)), from_int(j + 1)));
+        for (int i = 0; i < 3 - j; i++) {
+            p[i] = sub(p[i + 1], p[i]);
+            v[i] = sub(v[i + 1], v[i]);
+        }
+    }
+    G(series) curve = G(series_div)(P, W);
+    num sign = from_int(end == 0 ? 1 : -1); /* of the derivatives of odd order */
+    /* k! times the coefficient of t^k, or of (1-t)^k */
+    same(T, curve.c[0], R[0]);
+    same(T, mul(sign, curve.c[1]), D[1]);
+    same(T, mul(from_int(2), curve.c[2]), mul(sign, D[2]));
+    same(T, mul(mul(sign, from_int(6)), curve.c[3]), D[3]);
 }
+
+CLAIM(derivative_vectors_at_zero_in_every_degree) { G(compare_end_vectors)(T, 0); }
 
 /*
 At $t=1$ the same expressions hold for the polygon in reversed order, whose curve is $R(1-t)$; the derivatives of odd
 order change their sign, and so do the edges.  That leaves a sign in $R''(1)$ only, which is easily forgotten.
 
+:::{claim} derivative_vectors_at_one_in_every_degree
+:title: The first three derivatives at t = 1 in terms of the edges, for every n
+:zh: t=1 处前三阶导矢用边矢表示（任意 n）
+:given: any $n$; weights, $\omega_n\ne0$; $R_n$ and the edges $a_n,a_{n-1},a_{n-2}$
+:where: $\omega_n\ne0$
+:let: $\tilde f_1,\tilde g_1,\tilde g_2$ as $f_1,g_1,g_2$ in `derivative_vectors_at_zero_in_every_degree`, with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
+:then: $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
+  $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
+:method: As there, in $s=1-t$ with the polygon reversed, where $R_{n-i}=R_n-a_n-\dots-a_{n-i+1}$, and a derivative of odd order by $t$ is minus that by $s$.
+:degrees: all
+:over: n: -; a#: edges
+:control: $-\omega_{n-1}$ for $-2\omega_{n-1}$ in $\tilde f_1$
+:::
+*/
+CLAIM(derivative_vectors_at_one_in_every_degree) { G(compare_end_vectors)(T, 1); }
+
+/*
 :::{claim} end_derivative_vectors_at_both_ends
 :title: The first three derivatives at both ends in terms of the edges
 :zh: 两端前三阶导矢用边矢表示
 :given: weights and points
-:where: $\omega_0\ne0$ at $t=0$ and $\omega_n\ne0$ at $t=1$
-:let: $f_1,g_1,g_2$ as in `end_derivative_vectors_in_every_degree`, and $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
+:where: $\omega_0\ne0$ and $\omega_n\ne0$
+:let: $f_1,g_1,g_2$ as in `derivative_vectors_at_zero_in_every_degree`, and $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
 :then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
   $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
   $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
@@ -366,8 +377,8 @@ Now $R'$, $R''$, $R'''$ are put into the formulas for curvature and torsion.
 :title: Substitution gives the curvature and the torsion at t = 0
 :zh: 代入曲率与挠率公式
 :printed: Put into the formulas of the curvature and torsion of a parametric curve, these three give $\kappa(0)$ and $\tau(0)$.
-:holds-by: end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive
-  curvature_and_torsion_belong_to_arc_length
+:holds-by: curvature_and_torsion_follow_at_zero_in_every_degree factor_of_the_curvature_is_positive
+  curvature_belongs_to_arc_length torsion_belongs_to_arc_length
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   the weights are positive for the curvature.
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf a_1\ne\mathbf
@@ -377,24 +388,25 @@ Now $R'$, $R''$, $R'''$ are put into the formulas for curvature and torsion.
 Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
 :::
 
-:::{claim} end_curvature_and_torsion_follow_in_every_degree
-:title: The end derivatives give the printed curvature and torsion, for every n and in any dimension
-:zh: 由端点导矢得所印曲率与挠率（任意 n，任意维数）
+:::{claim} curvature_and_torsion_follow_at_zero_in_every_degree
+:title: The derivatives at t = 0 give the printed curvature and torsion, for every n and in any dimension
+:zh: 由 t=0 处导矢得所印曲率与挠率（任意 n，任意维数）
 :given: any $n$; weights; vectors $a_1,a_2,a_3$ of space; any numbers $f_1,g_1,g_2$; and, for the curvature in any dimension, only the products
   $a_1\cdot a_1$, $a_1\cdot a_2$, $a_2\cdot a_2$
-:let: $R'=\frac{n\omega_1}{\omega_0}a_1$, $R''=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$, $R'''=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; and $R'$, $-R''$, $R'''$ for the other end
+:let: $R'=\frac{n\omega_1}{\omega_0}a_1$, $R''=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$, $R'''=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$
 :then: $\kappa^2$ and $\tau$ of these are $\left(\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\right)^2\frac{|a_1\times a_2|^2}{|a_1|^6}$ and
   $\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(a_1,a_2,a_3)}{|a_1\times a_2|^2}$
 :method: Equality in the field in which $n$, the weights, the coordinates, the products and $f_1,g_1,g_2$ are variables.  The area $|a_1\times a_2|^2$ is
-  $|a_1|^2|a_2|^2-(a_1\cdot a_2)^2$ in any dimension.  At $t=1$ the second derivative has the other sign,
-  and $a_n,a_{n-1},a_{n-2}$ stand for $a_1,a_2,a_3$: the order of the mixed product is reversed.
+  $|a_1|^2|a_2|^2-(a_1\cdot a_2)^2$ in any dimension.
 :degrees: all
-:where: $\omega_0\omega_1\omega_2\ne0$ at $t=0$ and $\omega_n\omega_{n-1}\omega_{n-2}\ne0$ at $t=1$
+:where: $\omega_0\omega_1\omega_2\ne0$
 :over: n: -; x# y# z#: edges; f# g# p q r: -
 :control: the factor $(n-1)/n$ in the torsion
 :::
 */
-CLAIM(end_curvature_and_torsion_follow_in_every_degree)
+/* Curvature and torsion of the vectors at t = 0, end = 0, or at t = 1, end = 1, where the second one has the other sign and a_n, a_{n-1}, a_{n-2}
+ * stand for a_1, a_2, a_3. */
+static inline void G(compare_end_curvature_and_torsion)(trial *T, int end)
 {
     /* n > 2; in binary64 the factors stay away from 0 */
     num one = from_int(1), two = from_int(2), n = add(positive(T, "n", 0), two), w[4], a[3][3], D[3][3];
@@ -407,8 +419,9 @@ CLAIM(end_curvature_and_torsion_follow_in_every_degree)
         static const char *const axis[] = {"x", "y", "z"};
         for (int i = 0; i < 3; i++)
             a[i][c] = unknown(T, axis[c], i + 1);
+        num second = add(mul(B, a[1][c]), mul(f1, a[0][c]));
         D[0][c] = mul(A, a[0][c]);
-        D[1][c] = add(mul(B, a[1][c]), mul(f1, a[0][c]));
+        D[1][c] = end == 0 ? second : neg(second);
         D[2][c] = add(add(mul(C, a[2][c]), mul(g2, a[1][c])), mul(g1, a[0][c]));
     }
     num x[3];
@@ -420,25 +433,41 @@ CLAIM(end_curvature_and_torsion_follow_in_every_degree)
     same(T, G(curvature_squared)(3, D[0], D[1]), mul(mul(factor, factor), div(area, mul(g, mul(g, g)))));
     about(T, "torsion");
     num other = mul(div(fault(T, n2, n1), n), div(mul(w[0], w[3]), mul(w[1], w[2])));
+    num volume = end == 0 ? G(det3)(a[0], a[1], a[2]) : G(det3)(a[2], a[1], a[0]);
     /* τ = (n-2)/n ω_0 ω_3/(ω_1 ω_2) (a_1, a_2, a_3)/|a_1 × a_2|² */
-    same(T, G(torsion)(D[0], D[1], D[2]), mul(other, div(G(det3)(a[0], a[1], a[2]), area)));
-    num turned[3];
-    for (int c = 0; c < 3; c++)
-        turned[c] = neg(D[1][c]);
-    about(T, "curvature squared, at t = 1");
-    same(T, G(curvature_squared)(3, D[0], turned), mul(mul(factor, factor), div(area, mul(g, mul(g, g)))));
-    about(T, "torsion, at t = 1");
-    same(T, G(torsion)(D[0], turned, D[2]), mul(other, div(G(det3)(a[2], a[1], a[0]), area)));
+    same(T, G(torsion)(D[0], D[1], D[2]), mul(other, div(volume, area)));
 
-    /* p = a_1.a_1, q = a_1.a_2, r = a_2.a_2 */
+    /* p = a_1.a_1, q = a_1.a_2, r = a_2.a_2; the sign of the second derivative is in d12 only, which is squared */
     num p = positive(T, "p", 0), q = unknown(T, "q", 0), r = positive(T, "r", 0);
     num d11 = mul(mul(A, A), p), d12 = mul(A, add(mul(B, q), mul(f1, p)));
     num d22 = add(mul(mul(B, B), r), add(mul(mul(two, mul(B, f1)), q), mul(mul(f1, f1), p)));
+    d12 = end == 0 ? d12 : neg(d12);
     num gram = sub(mul(d11, d22), mul(d12, d12));
     about(T, "curvature squared, from scalar products");
     same(T, div(gram, mul(d11, mul(d11, d11))),
          mul(mul(factor, factor), div(sub(mul(p, r), mul(q, q)), mul(p, mul(p, p)))));
 }
+
+CLAIM(curvature_and_torsion_follow_at_zero_in_every_degree) { G(compare_end_curvature_and_torsion)(T, 0); }
+
+/*
+:::{claim} curvature_and_torsion_follow_at_one_in_every_degree
+:title: The derivatives at t = 1 give the printed curvature and torsion, for every n and in any dimension
+:zh: 由 t=1 处导矢得所印曲率与挠率（任意 n，任意维数）
+:given: any $n$; weights; vectors $a_n,a_{n-1},a_{n-2}$ of space; any numbers $f_1,g_1,g_2$; and, for the curvature in any dimension, only the products
+  $a_n\cdot a_n$, $a_n\cdot a_{n-1}$, $a_{n-1}\cdot a_{n-1}$
+:let: $R'=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-f_1a_n$,
+  $R'''=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+g_2a_{n-1}+g_1a_n$
+:then: $\kappa^2$ and $\tau$ of these are $\left(\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\right)^2\frac{|a_{n-1}\times a_n|^2}{|a_n|^6}$ and
+  $\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(a_{n-2},a_{n-1},a_n)}{|a_{n-1}\times a_n|^2}$
+:method: As in `curvature_and_torsion_follow_at_zero_in_every_degree`, with the other sign of the second derivative and the mixed product in the order printed.
+:degrees: all
+:where: $\omega_{n-2}\omega_{n-1}\omega_n\ne0$
+:over: n: -; x# y# z#: edges; f# g# p q r: -
+:control: the factor $(n-1)/n$ in the torsion
+:::
+*/
+CLAIM(curvature_and_torsion_follow_at_one_in_every_degree) { G(compare_end_curvature_and_torsion)(T, 1); }
 
 /*
 What is compared is $\kappa^2$.  That $\kappa$ is the printed side and not its negative is where positive weights are used.
@@ -469,7 +498,7 @@ CLAIM(factor_of_the_curvature_is_positive)
 :title: The same at t = 1
 :zh: t=1 处同理
 :printed: In the same way one has $\kappa(1)$ and $\tau(1)$.
-:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:holds-by: curvature_and_torsion_follow_at_one_in_every_degree derivative_vectors_at_one_in_every_degree
   factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |

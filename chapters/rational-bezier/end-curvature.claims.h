@@ -54,38 +54,62 @@ static inline void G(by_arc_length)(int dim, const G(series) R[], num *curvature
 }
 
 /*
-:::{claim} curvature_and_torsion_belong_to_arc_length
-:title: The formulas in R', R'', R''' are the curvature and torsion of the arc length
-:zh: 曲率、挠率公式与弧长定义一致
-:given: derivatives $R',R'',R'''$ of a curve, in the plane and in space
-:then: $\frac{|R'|^2|R''|^2-(R'\cdot R'')^2}{|R'|^6}=|R_{ss}|^2$ and $\frac{(R',R'',R''')}{|R'\times R''|^2}=-N\cdot B_s$, where $N=R_{ss}/\kappa$,
-  $B=R_s\times N$
+:::{claim} curvature_belongs_to_arc_length
+:title: The formula in R' and R'' is the curvature of the arc length
+:zh: 曲率公式与弧长定义一致
+:given: derivatives $R'\ne0$ and $R''$ of a curve, in the plane and in space
+:where: the first derivative is not 0
+:then: $\frac{|R'|^2|R''|^2-(R'\cdot R'')^2}{|R'|^6}=|R_{ss}|^2$
+:method: The definition is expanded at the point as Taylor polynomials; both sides are one element of the field of rational functions of the
+  coordinates of $R',R''$, and of $R'''$, which drops out.
+:defines: curvature_squared
+:over: u# v# w#: derivatives
+:control: $R'''$ for $R''$
+:::
+*/
+/* Derivatives of a curve with dim coordinates, all of them variables, and what the definitions by arc length give for them. */
+static inline void G(free_derivatives)(trial *T, int dim, num d[3][3], num *curvature_squared, num *torsion)
+{
+    G(series) R[3];
+    for (int c = 0; c < dim; c++) {
+        static const char *const name[] = {"u", "v", "w"};
+        for (int k = 0; k < 3; k++)
+            d[k][c] = unknown(T, name[k], c);
+        R[c] = (G(series)){{from_int(0), d[0][c], div(d[1][c], from_int(2)), div(d[2][c], from_int(6))}};
+    }
+    G(by_arc_length)(dim, R, curvature_squared, torsion);
+}
+
+CLAIM(curvature_belongs_to_arc_length)
+{
+    for (int dim = 2; dim <= 3; dim++) {
+        num d[3][3], curvature_squared, torsion;
+        G(free_derivatives)(T, dim, d, &curvature_squared, &torsion);
+        same(T, G(curvature_squared)(dim, d[0], d[fault(T, 1, 2)]), curvature_squared);
+    }
+}
+
+/*
+:::{claim} torsion_belongs_to_arc_length
+:title: The formula in R', R'', R''' is the torsion of the arc length
+:zh: 挠率公式与弧长定义一致
+:given: derivatives $R',R'',R'''$ of a curve in space, $R'\times R''\ne0$
+:where: the first two derivatives are not parallel
+:harmless: $R'\times R''\ne0$ | that the first two derivatives are not parallel is said by the scope
+:then: $\frac{(R',R'',R''')}{|R'\times R''|^2}=-N\cdot B_s$, where $N=R_{ss}/\kappa$, $B=R_s\times N$
 :method: The definitions are expanded at the point as Taylor polynomials; both sides are one element of the field of rational functions of the
   coordinates of $R',R'',R'''$.  Differentiating $\kappa B=R_s\times R_{ss}$ gives $-N\cdot B_s=-(R_s\times R_{ss})_s\cdot R_{ss}/\kappa^2$.
-:defines: curvature_squared torsion
+:defines: torsion
 :over: u# v# w#: derivatives
 :control: the two last derivatives exchanged
 :::
 */
-CLAIM(curvature_and_torsion_belong_to_arc_length)
+CLAIM(torsion_belongs_to_arc_length)
 {
-    for (int dim = 2; dim <= 3; dim++) {
-        num d[3][3], curvature_squared, torsion;
-        G(series) R[3];
-        for (int c = 0; c < dim; c++) {
-            static const char *const name[] = {"u", "v", "w"};
-            for (int k = 0; k < 3; k++)
-                d[k][c] = unknown(T, name[k], c);
-            R[c] = (G(series)){{from_int(0), d[0][c], div(d[1][c], from_int(2)), div(d[2][c], from_int(6))}};
-        }
-        G(by_arc_length)(dim, R, &curvature_squared, &torsion);
-        int second = fault(T, 1, 2);
-        about(T, "curvature squared");
-        same(T, G(curvature_squared)(dim, d[0], d[second]), curvature_squared);
-        about(T, "torsion");
-        if (dim == 3)
-            same(T, G(torsion)(d[0], d[second], d[3 - second]), torsion);
-    }
+    num d[3][3], curvature_squared, torsion;
+    G(free_derivatives)(T, 3, d, &curvature_squared, &torsion);
+    int second = fault(T, 1, 2);
+    same(T, G(torsion)(d[0], d[second], d[3 - second]), torsion);
 }
 
 /*
@@ -255,7 +279,8 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :zh: 端点曲率与挠率（控制顶点无重点）
 :printed: The curvature $\kappa$ and the torsion $\tau$ at the ends: let no control points coincide, $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$, $i=1,2,\dots,n$; then
   (3.2.5) and (3.2.6).
-:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:holds-by: curvature_and_torsion_follow_at_zero_in_every_degree derivative_vectors_at_zero_in_every_degree
+  curvature_and_torsion_follow_at_one_in_every_degree derivative_vectors_at_one_in_every_degree
   factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
 :confirmed-by: end_curvature_at_zero end_curvature_at_one end_torsion_at_zero end_torsion_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | the property itself: no control points coincide | $\mathbf
@@ -275,7 +300,7 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :zh: t=0 处的曲率
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\kappa(0)=\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\frac{\|\mathbf
   a_1\times\mathbf a_2\|}{\|\mathbf a_1\|^3}$.
-:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:holds-by: curvature_and_torsion_follow_at_zero_in_every_degree derivative_vectors_at_zero_in_every_degree
   factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
 :confirmed-by: end_curvature_at_zero
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
@@ -295,7 +320,7 @@ dimension, as $\mathbf R'(0)$ and $\mathbf R''(0)$ are combinations of $\mathbf 
 :zh: t=1 处的曲率
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\kappa(1)=\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\frac{\|\mathbf
   a_{n-1}\times\mathbf a_n\|}{\|\mathbf a_n\|^3}$.
-:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:holds-by: curvature_and_torsion_follow_at_one_in_every_degree derivative_vectors_at_one_in_every_degree
   factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
 :confirmed-by: end_curvature_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
@@ -312,7 +337,7 @@ dimension, as $\mathbf R'(0)$ and $\mathbf R''(0)$ are combinations of $\mathbf 
 :zh: t=0 处的挠率
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\tau(0)=\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(\mathbf a_1,\mathbf
   a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}$.
-:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:holds-by: curvature_and_torsion_follow_at_zero_in_every_degree derivative_vectors_at_zero_in_every_degree
   bernstein_sum_begins_with_its_differences
 :confirmed-by: end_torsion_at_zero
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$: the first three points are not on a line.
@@ -328,7 +353,7 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 :zh: t=1 处的挠率
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(\mathbf
   a_{n-2},\mathbf a_{n-1},\mathbf a_n)}{\|\mathbf a_{n-1}\times\mathbf a_n\|^2}$.
-:holds-by: end_curvature_and_torsion_follow_in_every_degree end_derivative_vectors_in_every_degree
+:holds-by: curvature_and_torsion_follow_at_one_in_every_degree derivative_vectors_at_one_in_every_degree
   bernstein_sum_begins_with_its_differences
 :confirmed-by: end_torsion_at_one
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$: the last three points are not on a line; the example is

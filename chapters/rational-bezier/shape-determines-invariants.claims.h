@@ -24,8 +24,9 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :printed: Let $n=2,3,4,5$, let neither the first nor the last three control points be collinear, and for $n\ge3$
   neither the first nor the last three edge vectors be coplanar.  Then (3.2.2) and (3.2.13) have the same shape if
   and only if (3.2.12) holds: $I_i=I_i^*$, $i=1,\dots,n-1$.
-:holds-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree
-  end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+:holds-by: backward_run_flattens_the_first_edges derivative_vectors_at_zero_in_every_degree derivative_vectors_at_one_in_every_degree
+  curvature_and_torsion_follow_at_zero_in_every_degree curvature_and_torsion_follow_at_one_in_every_degree
+  factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
   equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers fractional_change_runs_once
   bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor mean_grows_by_one_term weight_can_be_divided_out
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants equal_invariants_give_same_curve
@@ -560,7 +561,8 @@ the other end to symmetry.
 :zh: 曲线始端的曲率与挠率相等
 :printed: As the curves have the same shape, the curvature or the torsion agrees all along, and in particular the
   curvature or the torsion at the start.
-:holds-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree bernstein_sum_of_powers_is_a_power
+:holds-by: backward_run_flattens_the_first_edges derivative_vectors_at_zero_in_every_degree derivative_vectors_at_one_in_every_degree
+  bernstein_sum_of_powers_is_a_power
   change_of_parameter_acts_on_one_factor mean_grows_by_one_term weight_can_be_divided_out
 :meant: the sentence before the theorem, by which curves of one shape differ in their parameter alone | The same shape
   is the same point set.
@@ -833,8 +835,9 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
 :title: The necessity is proved for n = 5 only
 :zh: 仅就 n=5 证明必要性
 :printed: Now the necessity is proved for $n=5$ only.
-:holds-by: backward_run_flattens_the_first_edges end_derivative_vectors_in_every_degree
-  end_curvature_and_torsion_follow_in_every_degree factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+:holds-by: backward_run_flattens_the_first_edges derivative_vectors_at_zero_in_every_degree derivative_vectors_at_one_in_every_degree
+  curvature_and_torsion_follow_at_zero_in_every_degree curvature_and_torsion_follow_at_one_in_every_degree
+  factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
   bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :meant: the theorem, which is stated for $n=2,3,4,5$ | The proof for $n=5$ contains those for the other $n$.
