@@ -354,7 +354,8 @@ static num drawn(struct program_q *run, int n, const num b[], int steps, int pla
 :then: nothing is read or written beyond an end, nothing is read before it is written or after it is released; `R` and `Q` are made for each of the
   npoints+1 points, and each is released once in its own way; each of the npoints+1 places for the points is written once, and each of the $n+1$ control points
   is read once for each of these; all this is so with $n$ places for `Q`, too
-:method: The program on the arrays that count.  What it touches depends on $n$ and the number of steps only, not on the numbers.
+:method: The program on the arrays that count, and one call of decas alone, which is made for each point.  What it touches depends on $n$ and the number of steps
+  only, not on the numbers.
 :degrees: 0..24
 :scope: 8 steps
 :control: R with $n$ places
@@ -366,10 +367,17 @@ CLAIM(program_stays_in_its_arrays)
     for (int missing_of_Q = 0; missing_of_Q <= 1; missing_of_Q++) {
         struct program_q run = {
             .round = unrounded_q, .as_array = 1, .missing = fault(T, 0, 1), .missing_of_Q = missing_of_Q};
+        struct program_q one_call = run;
         struct array_q P, points;
         num b[MOST_PLACES];
         for (int i = 0; i <= n; i++)
             b[i] = from_int(i * i);
+        given_array_q(&one_call, n + 1, b, &P);
+        decas_q(&one_call, n, &P, from_ratio(1, 3));
+        counted_q(T, "arrays made in one call", one_call.memory.made, 2);
+        counted_q(T, "arrays released in one call", one_call.memory.released, 2);
+        for (int i = 0; i <= n; i++)
+            counted_q(T, "how often a control point is read in one call", P.read[i], 1);
         given_array_q(&run, n + 1, b, &P);
         given_array_q(&run, steps + 1, NULL, &points);
         bez_to_points_q(&run, n, steps, &P, &points);

@@ -58,7 +58,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :zh: G1 连续的控制顶点条件
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio equal_unit_tangents_fix_the_ratio
-:needs: negative_ratio_turns_back | the line of the condition: $a>0$ | $a>0$
+:needs: negative_ratio_of_edges_turns_back | the line of the condition: $a>0$ | $a>0$
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$ and $Q_0\ne Q_1$: with two edges of length 0 the condition does not suffice
 :hypothesis: straight_joint_with_a_zero_edge | $P_2\ne P_3$ and $Q_0\ne Q_1$: with one edge of length 0 the condition is not necessary
 :figure: corner_without_edges
@@ -208,6 +208,43 @@ CLAIM(straight_joint_with_a_zero_edge)
     about(T, "the joined curves being one straight line, whether a is positive");
     agree(T, straight ? sign_q(a) > 0 : fault(T, 0, 1)); /* otherwise neither shows anything */
 }
+/*
+:::{claim} negative_ratio_of_edges_turns_back
+:title: With a negative ratio of the edges the curve goes back
+:zh: 边之比为负时曲线折返
+:kind: counterexample
+:data: P = (-3,3) (-2,1) (-1,0) (0,0); a = -2; Q_2 = (-3,1); Q_3 = (-4,4)
+:instead: a = 2
+:result: Q_1 = (-2,0); unit tangents = (1,0) (-1,0)
+:given: a cubic with the points $P$, and the next one with $Q_0=P_3$ and $Q_1=Q_0+a(P_3-P_2)$; no edge at the joint is 0
+:then: the condition holds with a negative $a$, and the unit tangents of the two curves at the joint are not equal
+:method: The derivatives at the ends by the kernel, divided by their lengths.
+:control: a positive $a$
+:::
+*/
+CLAIM(negative_ratio_of_edges_turns_back)
+{
+    num P[4 * dim], Q[4 * dim], D[2 * dim], E[2 * dim], unit[4];
+    given_points(T, "P", 4, dim, P);
+    given_points(T, "Q_2", 1, dim, Q + 2 * dim);
+    given_points(T, "Q_3", 1, dim, Q + 3 * dim);
+    num a = given(T, "a");
+    for (int c = 0; c < dim; c++) {
+        Q[c] = P[3 * dim + c];
+        Q[dim + c] = add(Q[c], mul(a, sub(P[3 * dim + c], P[2 * dim + c])));
+    }
+    bezier_derivatives_q(3, dim, P, from_int(1), 1, D);
+    bezier_derivatives_q(3, dim, Q, from_int(0), 1, E);
+    for (int c = 0; c < dim; c++) {
+        unit[c] = div(D[dim + c], root(2, norm_squared_q(dim, D + dim)));
+        unit[dim + c] = div(E[dim + c], root(2, norm_squared_q(dim, E + dim)));
+    }
+    found_points(T, "Q_1", 1, dim, Q + dim);
+    found_points(T, "unit tangents", 2, dim, unit);
+    about(T, "the coordinates of the unit tangents");
+    for (int c = 0; c < dim; c++)
+        same(T, unit[dim + c], unit[c]);
+}
 #endif
 
 /*
@@ -235,6 +272,7 @@ CLAIM(straight_joint_with_a_zero_edge)
 :given: four points of the plane, any $t$
 :then: both forms are $P''(t)$; at $t=1$ and $t=0$ they are the printed differences
 :method: Against the second derivative of the definition, everything a variable.
+:scope: cubic curves
 :control: $18t+12$ beside $P_1$
 :::
 */
@@ -299,6 +337,7 @@ With the condition for $G^1$ in the place of equal first derivatives it divides 
 :then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and any $Q_1$ and $Q_2$, then
   $Q'(0)-P'(1)=3(Q_1-2P_3+P_2)$ and $Q''(0)-P''(1)=6(Q_2-P_1-2(Q_1-P_2))$
 :method: Derivatives at the ends by the kernel; everything a variable.
+:scope: cubic curves
 :over: q#: points
 :control: $Q_2=P_1-2(Q_1-P_2)$
 :::

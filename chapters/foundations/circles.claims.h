@@ -396,13 +396,13 @@ CLAIM(short_registers_stop_the_point)
 
 /*
 :::{claim} short_coordinates_never_move
-:title: Points with coordinates from 0 to 2^m - 1 stand still, and one with a negative ordinate does not
+:title: Points with coordinates from 0 to 2^m - 1 stand still, and those with an ordinate from -2^m to -1 do not
 :zh: 非负短坐标的点不动
 :kind: decision
-:given: every $m=1,\dots,M$ and all $x,y=0,\dots,2^m-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$; and one point with
-  a negative ordinate, for one $m$
+:given: every $m=1,\dots,M$ and all $x,y=0,\dots,2^m-1$, and $y=-2^m,\dots,-1$; shifts that drop the bits shifted out, $\lfloor x/2^m\rfloor$; and one point with a
+  negative ordinate, for one $m$
 :data: M = 6; m = 4; x_0 = 10; y_0 = -5
-:then: $x_1=x$, $y_1=y$ for all of them; the point with the negative ordinate moves to the right, because $\lfloor y_0/2^m\rfloor$ is $-1$
+:then: $x_1=x$, $y_1=y$ for all of the former; the points with the negative ordinates, one of which is shown, move to the right, because $\lfloor y/2^m\rfloor$ is $-1$
 :result: x_1 = 11; y_1 = -5
 :method: The step in integers; what is added to one coordinate depends on the other one only, of which all are tried.
 :scope: m = 1 to 6
@@ -416,6 +416,8 @@ CLAIM(short_coordinates_never_move)
         int unit = 1 << m, most = fault(T, unit - 1, unit);
         for (int x = 0; x <= most; x++) /* a coordinate, either one */
             vanishes(T, from_int(floor_quotient(x, unit)));
+        for (int y = -unit; y < 0; y++)
+            same(T, from_int(floor_quotient(y, unit)), from_int(-1));
     }
     int unit = 1 << given_whole(T, "m"), x = given_whole(T, "x_0"), y = given_whole(T, "y_0");
     found_whole(T, "x_1", x - floor_quotient(y, unit));

@@ -385,6 +385,7 @@ CLAIM(other_lengths_give_another_cubic)
 :given: any cubic in space, $W(t)=P(1-t)$
 :then: $W(0)=P(1)$, $W(1)=P(0)$, $W'(0)=-P'(1)$, $W'(1)=-P'(0)$
 :method: The coefficients of $W$ by the kernel; values and derivatives by the definition, everything a variable.
+:scope: cubic curves
 :over: x# y# z#: coefficients
 :control: the tangents not opposite
 :::
@@ -428,6 +429,7 @@ static void G(row_of_rotation)(const num q[4], int i, num row[])
   Q_1|$, $|\dot Q_0|$
 :method: The squares of the lengths by the definition, everything a variable; a rotation by the cosine of half its angle and the vector along its axis whose length is
   the sine of that half, up to a common factor: four numbers, not all 0, which every rotation has.
+:scope: cubic curves
 :over: x# y# z#: coefficients; q#: rotations; m#: translations
 :control: the lengths of $P(1-t)$ not exchanged
 :::

@@ -38,6 +38,7 @@ coefficients, and by $\delta=3b^2-4ac$.
   by the polynomial with the sum $-\frac ba$ and the product $\frac{b^2-ac}{a^2}$ of its roots leaves a constant for every cubic with
   $a\ne0$: that remainder is computed for free coefficients.
 :defines: cubic_delta cubic_double_point_polynomial cubic_double_point
+:scope: cubic curves
 :over: s u: parameter value; l# m# n#: vectors; x# y#: coefficients
 :control: $\delta=b^2-4ac$
 :::
@@ -142,6 +143,7 @@ CLAIM(delta_does_not_tell_graphs)
 :then: $A\times P'(t_0)=0$ and $4a\,B\times P'(t_0)=-\delta$; since $A$ and $B$ are independent, $P'(t_0)=0$ exactly for $\delta=0$; and a
   cubic with $P'(t_1)=0$ somewhere has $\delta=0$
 :method: The derivative at $t_0$ by the kernel, everything a variable; for the converse $C=-3At_1^2-2Bt_1$.
+:scope: cubic curves
 :over: x# y#: coefficients; t1: parameter value
 :control: $t_0=-\frac ba$
 :::

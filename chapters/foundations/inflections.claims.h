@@ -326,6 +326,7 @@ is not 0.
   written out.  In space each of the three coordinates of the vector product is such a polynomial; where all of them are 0 everywhere,
   $a,b,c$ are, so $A,B,C$ are parallel and the cubic is on a line.
 :defines: cubic_minors cubic_inflection_polynomial
+:scope: cubic curves
 :over: x# y# d#: coefficients
 :control: the factor 2 in the place of the first 3
 :::

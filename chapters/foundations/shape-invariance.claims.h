@@ -194,7 +194,9 @@ where this triangle shrinks to a line.  In the printed example the origin is $P_
 :title: That the factors are 1 and 0 at the ends is the reason for the straight line
 :zh: 由端值推出直线
 :printed: Because $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$, the curve is the straight line that joins the two points $P_0=[0,0]$ and $P_1=[10,10]$.
-:refuted-by: ends_alone_make_no_straight_line ends_alone_leave_the_segment
+:refuted-by: ends_alone_leave_the_segment
+:reading: ends_alone_make_no_straight_line | for any two points: the reason uses nothing of those that are printed
+:meant: the two points that the sentence names | The printed points.
 :class: invalid-proof
 :corrected: The curve is the segment $P_0P_1$ exactly when the origin is on this segment.  $P(t)$ is on the line through $P_0\ne P_1$
   for a $t$ of $(0,1)$ exactly when the origin is on this line: $(P_1-P_0)\times(P(t)-P_0)=3t(1-t)\,P_0\times P_1$.

@@ -22,7 +22,7 @@ becomes the point, and what has to be decided about it is the index.
   \sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)},\quad T'=T_1\oplus T_2
 :holds-by: steps_of_refinement_compose discrete_bsplines_compose
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist for $T_1$ and for $T_1\oplus T_2$: in the example, whose $T'$ is $T_1$ here,
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T_1$ and $T_2$ are in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: in the example, whose $T'$ is $T_1$ here,
   the last $r_l^{(T,T_1)}$ is $\frac00$, and the sum has it
 :figure: insertions_commute
 

@@ -391,6 +391,49 @@ CLAIM(negative_weight_loses_a_new_point)
 }
 
 /*
+:::{claim} negative_weight_loses_a_vertex_beside_the_common_point
+:title: With a negative weight the polygon through a point of the curve may lack another vertex
+:zh: 权因子为负时过交点的多边形可能缺另一顶点
+:kind: counterexample
+:given: the knots $T$ of one quadratic segment, its points $r$, all above the line $y=0$, and weights $w$, of which one is negative; the parameter $\tau$
+  of a point of the curve on the line is inserted $k-1$ times, $T'=\{\tau\}^{k-1}$
+:data: T = 0 0 0 2 2 2; T' = 1 1; r = (0,2) (1,2) (2,1); w = 1 -1 2
+:instead: w = 1 1 2
+:then: $w(\tau)\ne0$ and $r(\tau)$ is on the line, but $w_2^{(T,T')}$ vanishes, so that $\Gamma_k^{(T)}(T')$ has no second vertex
+:result: w(τ) = 1/4; r(τ) = (2,0); new weights = 1 0 1/4 1/2 2
+:method: (4.1.6) and (4.1.2) by their letter.
+:control: all weights positive
+:::
+*/
+CLAIM(negative_weight_loses_a_vertex_beside_the_common_point)
+{
+    struct G(refinement) r;
+    num point[3 * 2], w[3], new[5], total = from_int(0), at[2] = {from_int(0), from_int(0)};
+    G(given_refinement)(T, 2, 6, 2, &r);
+    given_points(T, "r", 3, 2, point);
+    given_points(T, "w", 3, 1, w);
+    num tau = r.v[3];
+    for (int i = 0; i < r.n; i++) {
+        num share = mul(w[i], G(cox_de_boor)(2, r.u, r.place, i, r.at[2], tau));
+        total = add(total, share);
+        for (int c = 0; c < 2; c++)
+            at[c] = add(at[c], mul(share, point[2 * i + c]));
+    }
+    for (int c = 0; c < 2; c++)
+        at[c] = div(at[c], total);
+    int missing = 0;
+    for (int j = 0; j < r.m; j++) {
+        new[j] = G(new_weight)(2, &r, w, j);
+        missing += sign_q(new[j]) == 0;
+    }
+    found(T, "w(τ)", total);
+    found_points(T, "r(τ)", 1, 2, at);
+    found_points(T, "new weights", r.m, 1, new);
+    about(T, "if w(τ) is not 0, then no new weight is 0");
+    refute(T, sign_q(total) != 0 && missing > 0);
+}
+
+/*
 :::{claim} knot_at_a_k_fold_end_has_no_shares
 :title: A knot inserted at a k-fold right end makes a point without shares
 :zh: 在 k 重右端点嵌入节点所得顶点无意义
@@ -460,7 +503,7 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: the new $N_{j,k}$ between its
   copies are zero, and such $r_j$ do not count
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | the points of (4.1.6) exist; otherwise a term of the sum is
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: otherwise a term of the sum is
   $0\cdot\frac00$
 :reading: knots_outside_the_domain_cut_corners | for one knot outside the domain, in $(t_1,t_{n+k})$, too, over simple knots
 :figure: insertions_commute

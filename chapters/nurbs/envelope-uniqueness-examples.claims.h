@@ -168,6 +168,7 @@ factors the condition; the drawings show what comes out.
   $(t-\tau)(t+2\tau)$, and for $t=-2\tau$ the points are $(\xi t,\eta t^3)$
 :method: Members and derivatives from the control points over the knots with $t$ and $\tau$ as variables.  For the
   sextic the third component follows: $X_t\times X_\tau$ is perpendicular to $X_t$.
+:scope: the three families
 :control: $t+\tau$ in the place of $t-\tau$
 :::
 */
@@ -228,36 +229,73 @@ corners arise.
 #if FIELD || RATIONAL
 /*
 :::{claim} convex_polygon_of_span_has_one_envelope
-:title: The determinant of the level before is a sum of triangles of the control points, no factor of which is negative
+:title: The determinant of the level before is a sum of triangles of the control points, no factor of which is negative and one of which is positive
 :zh: 上一层族曲线的行列式是控制顶点三角形之非负组合
 :types: field rational
 :given: order $k$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, with positive gaps,
-  variables for $k\le4$ and numbers above; homogeneous points of the plane; $t$, $\tau$ inside the span; every
-  $r=1,\dots,k-2$
+  variables for $k\le4$ and numbers above; homogeneous points of the plane; $t$, $\tau$ inside the span, for
+  the minors also at its left end, one of them or both; every $r=1,\dots,k-2$
 :let: $a=t_j$, $b=t_{j+1}$, $P_i=(w_ir_i,w_i)$; $\alpha(x)$ the row of the $k$ discrete B-splines at $k-1$ arguments $x$; $M$ the $3\times k$ matrix of the rows
   at $(\tau^{r-1},t^{k-r-2},x,y)$ with $(x,y)=(a,a),(a,b),(b,b)$
 :then: with $Q=(\mathbf p^{[r-1]},w^{[r-1]})(\cdot,\tau)$ of (4.3.17) and $m=k-r$:
-  $(b-a)^3\det(Q,Q',Q'')=m^2(m-1)\sum_{i<l<h}M_{ilh}\det(P_i,P_l,P_h)$, and every $3\times3$ minor $M_{ilh}$ is
-  nonnegative
+  $(b-a)^3\det(Q,Q',Q'')=m^2(m-1)\sum_{i<l<h}M_{ilh}\det(P_i,P_l,P_h)$, no $3\times3$ minor $M_{ilh}$ is
+  negative, and one is positive; and $\det(Q,Q',Q'')=v^3\,R'\times R''$ for the point $R$ of any $Q$ with the weight $v$
 :method: The equation in the field: the left side from the level $r-1$ of de Boor's triangle and its derivatives, the
   right side is Cauchy-Binet.  The minors have no negative coefficient in the gaps and in $x$, $y$ with
-  $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$, and at the ends of the span they are nonnegative as limits; for $k>5$ they
-  are sampled.  If one minor is positive and the points $r_{j-k+1},\dots,r_j$ are the
+  $t=(a+bx)/(1+x)$, $\tau=(a+by)/(1+y)$, or with $t=a$, $\tau=a$, and one of them is not the zero element; for $k>5$ they
+  are sampled.  If the points $r_{j-k+1},\dots,r_j$ are the
   corners of a strictly convex polygon in this order, all $\det(P_i,P_l,P_h)=w_iw_lw_h(r_l-r_i)\times(r_h-r_i)$ have
-  one sign, and $\det(Q,Q',Q'')\ne0$.
+  one sign, and $\det(Q,Q',Q'')\ne0$, so that $R'\times R''\ne0$.
 :degrees: 2..4 sampled 5
 :scope: every pattern of the knots of a span up to order 4, three above; the gaps of the knots variables up to order 4, numbers above
 :where: the weights are positive and $t$, $\tau$ in one span
-:over: P#: homogeneous points; y#: ratios in which the parameters divide the span; x#: -
+:over: P#: homogeneous points; y#: ratios in which the parameters divide the span; x# v#: -
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::
 */
+/* The sum of the minors of M, each times the triangle of its points; that none is negative and one is positive is compared. */
+static num G(sum_over_minors)(trial *T, int p, int r, const num u[], num t, num tau, const num P[])
+{
+    int mu = p, positive_ones = 0;
+    num M[3][MAX_DEGREE + 1], x[MAX_DEGREE], sum = from_int(0);
+    for (int row = 0; row < 3; row++) {
+        int ends = fault(T, row, row < 2 ? 1 - row : row); /* how many of the last two arguments are b */
+        for (int k = 0; k < p; k++)
+            x[k] = k < r - 1 ? tau : k < p - 2 ? t : u[k < p - ends ? mu : mu + 1];
+        G(bspline_discrete)(p, u, mu, x, M[row]);
+    }
+    for (int i = 0; i <= p; i++)
+        for (int l = i + 1; l <= p; l++)
+            for (int h = l + 1; h <= p; h++) {
+                num A[9];
+                for (int row = 0; row < 3; row++) {
+                    A[3 * row] = M[row][i];
+                    A[3 * row + 1] = M[row][l];
+                    A[3 * row + 2] = M[row][h];
+                }
+                num minor = G(det3)(A, A + 3, A + 6);
+                about(T, "a minor of M");
+                nonnegative(T, minor);
+                positive_ones += !G(is_zero)(minor);
+                sum = add(sum, mul(minor, G(det3)(P + 3 * i, P + 3 * l, P + 3 * h)));
+            }
+    about(T, "that some minor of M is not 0");
+    agree(T, positive_ones > 0);
+    return sum;
+}
+
 CLAIM(convex_polygon_of_span_has_one_envelope)
 {
     int p = T->degree, mu = p;
     num P[3 * (MAX_DEGREE + 1)];
     for (int i = 0; i < 3 * (p + 1); i++)
         P[i] = unknown(T, "P", i);
+    num any[9], R[6], v = positive(T, "v", 0); /* a homogeneous vector and its derivatives, as variables */
+    for (int i = 0; i < 9; i++)
+        any[i] = i == 2 ? v : P[i];
+    G(rational_quotient_derivatives)(2, any, 2, R);
+    about(T, "the vector product of the derivatives of the point");
+    same(T, G(det3)(any, any + 3, any + 6), mul(mul(v, mul(v, v)), G(cross2)(R + 2, R + 4)));
     for (int shape = 0; shape < G(shapes)(p); shape++) {
         num u[MOST_KNOTS], inside_span[2], d[3 * (MAX_DEGREE + 1)];
         G(gaps_of_span)(T, p, shape, u);
@@ -269,27 +307,10 @@ CLAIM(convex_polygon_of_span_has_one_envelope)
         for (int i = 0; i < 3 * (p + 1); i++)
             d[i] = P[i];
         for (int r = 1; r < p; r++) { /* d: the level r-1 */
-            num M[3][MAX_DEGREE + 1], x[MAX_DEGREE], Q[9], sum = from_int(0);
-            for (int row = 0; row < 3; row++) {
-                int ends = fault(T, row, row < 2 ? 1 - row : row); /* how many of the last two arguments are b */
-                for (int k = 0; k < p; k++)
-                    x[k] = k < r - 1 ? tau : k < p - 2 ? t : u[k < p - ends ? mu : mu + 1];
-                G(bspline_discrete)(p, u, mu, x, M[row]);
-            }
-            for (int i = 0; i <= p; i++)
-                for (int l = i + 1; l <= p; l++)
-                    for (int h = l + 1; h <= p; h++) {
-                        num A[9];
-                        for (int row = 0; row < 3; row++) {
-                            A[3 * row] = M[row][i];
-                            A[3 * row + 1] = M[row][l];
-                            A[3 * row + 2] = M[row][h];
-                        }
-                        num minor = G(det3)(A, A + 3, A + 6);
-                        about(T, "a minor of M");
-                        nonnegative(T, minor);
-                        sum = add(sum, mul(minor, G(det3)(P + 3 * i, P + 3 * l, P + 3 * h)));
-                    }
+            num Q[9], sum = G(sum_over_minors)(T, p, r, u, t, tau, P);
+            G(sum_over_minors)(T, p, r, u, u[mu], tau, P);
+            G(sum_over_minors)(T, p, r, u, t, u[mu], P);
+            G(sum_over_minors)(T, p, r, u, u[mu], u[mu], P);
             int m = p - r + 1;
             G(bspline_derivatives)(G(span_alone)(m, 3, u, mu, d), t, 2, Q);
             about(T, "the determinant of Q, Q', Q''");

@@ -50,9 +50,6 @@ vanishing curvature or torsion, and its members have them.
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before convex_polygon_of_span_has_one_envelope
 :confirmed-by: second_envelopes_of_spans member_of_span_is_polar
-:argued: | That one of the minors is positive, and so the determinant not 0: the three rows are independent, since every polynomial of degree 2
-  is a polar form of the level before: to put in one argument $\tau$ maps the polynomials of degree $m$ onto those of degree $m-1$, only the
-  multiples of $(\cdot-\tau)^m$ going to 0.
 :striking: 2
 :figure: nurbs_envelope_square
 

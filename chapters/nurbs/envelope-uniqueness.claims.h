@@ -42,9 +42,7 @@ inflection: it is touched by every member.
   only where $\mathbf r'=0$; so for a strictly convex control polygon of the span
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent extra_points_run_along_the_tangent
   convex_polygon_of_span_has_one_envelope
-:argued: | That one of the minors is positive, and so the determinant not 0: the three rows are independent, since every polynomial of degree 2
-  is a polar form of the level before: to put in one argument $\tau$ maps the polynomials of degree $m$ onto those of degree $m-1$, only the
-  multiples of $(\cdot-\tau)^m$ going to 0.  And that an extra segment is more than $\mathbf r$: a rational curve that is not straight has finitely many points on a tangent.
+:argued: | That an extra segment is more than $\mathbf r$: a rational curve that is not straight has finitely many points on a tangent.
 :striking: 2
 :figure: nurbs_second_line
 

@@ -308,13 +308,15 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
 :definition: yes
 :checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
 :hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$
+:hypothesis: extrapolated_member_has_a_pole | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$;
+  where for one $\tau$ a weight is 0, for another one it is negative, and the denominator may vanish
 :hypothesis: lower_level_lacks_a_point | no $w_i^{[r]}(\tau)$, $i=r+1,\dots,n$, of the levels $r=1,\dots,k-3$ vanishes there
-:hypothesis: extrapolated_member_has_a_pole | no denominator of a polygon vanishes; with a negative $w_i^{[k-2]}(\tau)$ it may
 :hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or the terms with $t_i=t_{i+2}$ are left
   out: their $N_{i,2}$ is 0
 :figure: nurbs_polygons
 
-Values at $t_{n+1}$ are limits from the left, see `def-4.1.1-interval`.
+Values at $t_{n+1}$ are limits from the left, see `def-4.1.1-interval`.  That no weight of the level is 0 for any $\tau$ makes positive those whose $N_{i,2}$ is not 0 on the
+domain, each being positive on a span of it, and then no denominator vanishes.
 :::
 
 In the polygon of $\tau$ only one leg belongs to the span of $\tau$.  What are the others?  By the polar form the leg

@@ -20,10 +20,10 @@ span; what has to be asked is whether the members exist.
 :confirmed-by: equal_weights_stay_equal_for_the_whole_curve
 :hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for all $\tau$ and $i=\rho+1,\dots,n$ with $\rho=r$;
   outside its own span the recursion extrapolates, and a point of the member may not exist although all weights are positive
+:hypothesis: extrapolated_member_has_a_pole | $w_i^{[\rho]}(\tau)\ne0$ for all $\tau$ and $i=\rho+1,\dots,n$ with $\rho=r$;
+  where for one $\tau$ a weight is 0, for another one it is negative, and a denominator of (4.3.3) may vanish
 :hypothesis: lower_level_lacks_a_point | with $\rho=1,\dots,r-1$ as well: (4.1.4) asks for their points; or the products
   $w_i^{[\rho]}\mathbf r_i^{[\rho]}$ are computed by (4.1.3)
-:hypothesis: extrapolated_member_has_a_pole | no denominator of a member vanishes; with a negative $w_i^{[r]}(\tau)$
-  it may
 :hypothesis: high_knot_leaves_a_point_undefined | $t_i<t_{i+k-r}$ for $i=r+1,\dots,n$, or the terms with $t_i=t_{i+k-r}$
   are left out: their $N_{i,k-r}$ is 0; else (4.1.3) divides by 0
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
@@ -33,8 +33,10 @@ span; what has to be asked is whether the members exist.
 :figure: nurbs_envelope_whole
 
 On the span of $t$ the member $\tau$ is the polar form of *that* segment, continued to a $\tau$ of another span.  On
-the span of $\tau$ it is the member of that span, so it touches the curve there.  For equal weights the first three
-hypotheses are fulfilled (`equal_weights_stay_equal_for_the_whole_curve`).
+the span of $\tau$ it is the member of that span, so it touches the curve there.  Each $w_i^{[r]}$ whose $N_{i,k-r}$ is not
+0 on the domain is positive on a span of it, as are all weights of levels on their own span; if it is 0 for no $\tau$, it is positive for all, and no denominator
+vanishes.  For equal weights the hypotheses on the weights are fulfilled
+(`equal_weights_stay_equal_for_the_whole_curve`).
 :::
 */
 
@@ -270,28 +272,32 @@ CLAIM(whole_member_ends_in_no_interval)
 :zh: 权全为正时整条曲线的族曲线也可能有极点
 :kind: counterexample
 :given: a quadratic curve of four points with the positive weights $w_i$ over the simple knots $t_i$, of two spans;
-  $r=1$, $\tau=t_3$, and a $t$ of the last span
-:data: t_i = 1 2 3 4 5 6 7; w_i = 1 1 1 5; τ = 3; t = 9/2
+  $r=1$, $\tau=t_3$, and a $t$ of the last span; another parameter $\sigma$ of the domain
+:data: t_i = 1 2 3 4 5 6 7; w_i = 1 1 1 5; τ = 3; t = 9/2; σ = 7/2
 :instead: w_i = 1 1 1 2
-:then: no weight of level 1 is 0, but $\sum_{i=2}^4N_{i,2}(t)w_i^{[1]}(\tau)=0$
-:result: weights of level 1 = 1 1 -1; denominator = 0
+:then: no weight of level 1 is 0 for this $\tau$, but $\sum_{i=2}^4N_{i,2}(t)w_i^{[1]}(\tau)=0$; $w_4^{[1]}$, negative here, is 0 at $\sigma$
+:result: weights of level 1 = 1 1 -1; denominator = 0; weights of level 1 at σ = 1 1 0
 :method: The weights of level 1 by (4.1.3), their sum with the B-splines of order 2; compared with 0.
 :control: a smaller last weight
 :::
 */
 CLAIM(extrapolated_member_has_a_pole)
 {
-    num u[7], w[4], sum = from_int(0);
+    num u[7], w[4], v[4], sum = from_int(0);
     int place[7];
     given_points(T, "t_i", 7, 1, u);
     given_points(T, "w_i", 4, 1, w);
     num tau = given(T, "τ"), t = given(T, "t");
     G(places_of)(7, u, place);
+    for (int i = 0; i < 4; i++)
+        v[i] = w[i];
     G(whole_level)(4, 2, u, place, 1, w, tau);
+    G(whole_level)(4, 2, u, place, 1, v, given(T, "σ"));
     for (int i = 1; i < 4; i++)
         sum = add(sum, mul(w[i], G(cox_de_boor)(1, u, place, i, G(interval_of)(7, u, place, t), t)));
     found_points(T, "weights of level 1", 3, 1, w + 1);
     found(T, "denominator", sum);
+    found_points(T, "weights of level 1 at σ", 3, 1, v + 1);
     about(T, "the denominator of the member is not 0");
     refute(T, is_zero_q(sum));
 }

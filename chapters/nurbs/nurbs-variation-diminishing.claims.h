@@ -305,11 +305,11 @@ line that its curve has to cross; if it counts with all its points, it is enough
 :zh: 落在直线上的边必须计入
 :kind: counterexample
 :given: a cubic Bézier curve as a NURBS curve of order $k$ with the $n$ points $r_i$, weights $w_i$ and knots $t_i$;
-  the line $y=0$; the knot $\tau$ is inserted
+  the line $y=0$; the parameter $\tau$ where the curve crosses it is inserted $k-1$ times, as in the proof of theorem 4.2.2
 :data: k = 4; n = 4; t_i = 0 0 0 0 1 1 1 1; r_i = (0,1) (1,0) (2,0) (3,-1); w_i = 1 1 1 1; τ = 1/2
 :then: outside its edge on the line the polygon has no common point with it; the new polygon has a vertex on the line
   and no edge there, and the curve crosses the line
-:result: new points = (0,1) (1/2,1/2) (3/2,0) (5/2,-1/2) (3,-1); intersections of the polygon, the edge on the line
+:result: new points = (0,1) (1/2,1/2) (1,1/4) (3/2,0) (2,-1/4) (5/2,-1/2) (3,-1); intersections of the polygon, the edge on the line
   left out = 0; intersections of the new polygon = 1; intersections of the curve = 1
 :method: Common points less those on edges of the polygon; the curve by counting roots.
 :control: the edge counted as one intersection
@@ -317,7 +317,10 @@ line that its curve has to cross; if it counts with all its points, it is enough
 */
 CLAIM(edge_on_the_line_must_be_counted)
 {
-    struct graph g = given_graph(T), cut = with_knot(&g, given(T, "τ"));
+    struct graph g = given_graph(T), cut = g;
+    num tau = given(T, "τ");
+    for (int times = 1; times < g.k; times++)
+        cut = with_knot(&cut, tau);
     struct cagd_polygon_meets_line before = polygon_of_graph(&g), after = polygon_of_graph(&cut);
     int old = before.common_runs - fault(T, 0, before.contained_edges);
     int new = after.common_runs - fault(T, 0, after.contained_edges), curve = curve_of(&g).common;
@@ -781,7 +784,7 @@ CLAIM(crossing_becomes_a_vertex_between_edges)
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$, or $t_1=t_k$: then $r(t'_i)$ is a vertex, too,
   though not the one with the index of (4.1.9)
-:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
+:needs: negative_weight_loses_a_vertex_beside_the_common_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise another vertex may not exist
 :figure: points_of_the_line_as_vertices
 
 In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index
@@ -797,7 +800,7 @@ $\mu_i+(i-1)(k-1)$.
 :confirmed-by: polygon_through_the_crossings_crosses_as_often
 :hypothesis: crossing_becomes_a_vertex_between_edges | an edge on the line counts: the vertices may be ends of such edges
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
-:needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
+:needs: negative_weight_loses_a_vertex_beside_the_common_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise another vertex may not exist
 :argued: | The points are common points of the line and of the polygon, being vertices.  Two of them that belong to different intersections are not joined by edges on the
   line: the curve between is a mean of the vertices from one to the other, and would be on the line with them.
 :figure: points_of_the_line_as_vertices

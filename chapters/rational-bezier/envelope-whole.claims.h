@@ -316,6 +316,7 @@ These are not stray points: the whole second envelopes are found by eliminating 
   the resultant by $c$ is a polynomial in $x$ and $y$, divided by the one stated.  The quotient is a constant.  The
   determinant has a factor in $c$ alone, the leading coefficient of $y$ in $t$, because $x$ is of lower degree in $t$; it is
   divided out first.
+:scope: the two families
 :control: another sign in each of the two products
 :::
 */
@@ -623,10 +624,10 @@ For low degrees all minors are computed:
 :given: homogeneous points $P_i$, $n\ge2$, every $r=1,\dots,n-1$; $c,t$ of $(0,1)$ for the signs
 :let: $\beta_i$ be the coefficients of $(1-c+cz)^{r-1}(1-t+tz)^{n-r-1}$
 :then: $w_r(c,t)=\sum_{i<j<k}\begin{vmatrix}\beta_i&\beta_j&\beta_k\\\beta_{i-1}&\beta_{j-1}&\beta_{k-1}\\
-  \beta_{i-2}&\beta_{j-2}&\beta_{k-2}\end{vmatrix}\det(P_i,P_j,P_k)$, and every $3\times3$ minor in it is nonnegative
+  \beta_{i-2}&\beta_{j-2}&\beta_{k-2}\end{vmatrix}\det(P_i,P_j,P_k)$, and every $3\times3$ minor in it is nonnegative, that of
+  $i,j,k=0,1,2$ positive
 :method: The sum is Cauchy-Binet; it is computed in the field.  With $c=s/(1+s)$, $t=v/(1+v)$ the minors have no
-  negative coefficient in $s$ and $v$, so they are nonnegative for $c,t\in[0,1]$.  There $\beta\ne0$, its three
-  shifted rows are independent, and one minor is positive.  If $R_0,\dots,R_n$ are the corners of a convex polygon
+  negative coefficient in $s$ and $v$, so they are nonnegative for $c,t\in[0,1]$; that of $0,1,2$ is $\beta_0^3$.  If $R_0,\dots,R_n$ are the corners of a convex polygon
   in this order and the weights are positive, all
   $\det(P_i,P_j,P_k)=\omega_i\omega_j\omega_k(R_j-R_i)\times(R_k-R_i)$, $i<j<k$, have one strict sign, hence
   $w_r\ne0$.
@@ -676,6 +677,10 @@ CLAIM(convex_polygon_has_one_envelope)
                     num minor = G(det3)(M, M + 3, M + 6);
                     about(T, "a minor of the matrix of the β");
                     nonnegative(T, minor);
+#if FIELD || RATIONAL
+                    if (k == 2)
+                        agree(T, !G(is_zero)(minor));
+#endif
                     sum = add(sum, mul(minor, G(det3)(H + 3 * i, H + 3 * j, H + 3 * k)));
                 }
         about(T, "the factor w_r as a sum over the triangles of control points");

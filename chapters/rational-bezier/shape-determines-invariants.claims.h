@@ -340,10 +340,10 @@ reversed weights have other ones, and the same point set.
 :control: weights that do not change in reverse order
 :::
 */
-CLAIM(palindromes_of_degree_four)
+/* Whether the curve over a palindromic polygon, run backwards, is one map with other invariants. */
+static void G(check_palindrome)(trial *T, int n)
 {
-    enum { n = 4 };
-    num R[2 * (n + 1)], S[2 * (n + 1)], w[n + 1], v[n + 1];
+    num R[2 * (MAX_DEGREE + 1)], S[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1], v[MAX_DEGREE + 1];
     given_points(T, "R", n + 1, 2, R);
     given_points(T, "ω", n + 1, 1, w);
     G(reversed_points)(n, 2, R, S);
@@ -352,6 +352,25 @@ CLAIM(palindromes_of_degree_four)
     agree(T, turn_2d(R, R + 2, R + 4) != 0 && turn_2d(R + 2 * (n - 2), R + 2 * (n - 1), R + 2 * n) != 0);
     agree(T, G(found_invariants_differ)(T, n, w, v));
 }
+
+CLAIM(palindromes_of_degree_four) { G(check_palindrome)(T, 4); }
+
+/*
+:::{claim} palindromes_of_degree_five
+:title: A plane quintic over a palindromic polygon, run backwards, can have other invariants
+:zh: 五次平面回文多边形:反向后不变量不同
+:kind: decision
+:data: R = (0,0) (1,0) (0,1) (0,1) (1,0) (0,0); ω = 1 2 1 1 1 1
+:instead: ω = 1 2 1 1 2 1
+:result: I = 4 1/2 1 1; I* = 1 1 1/2 4
+:given: the quintic curve of the plane with points $R$ and weights $\omega$, and $\omega^*$, which is $\omega$ in reverse order
+:then: $R^*(t)=R(1-t)$, so that the point sets are one; the first and the last three points are not collinear; but
+  $I$ and $I^*$ differ, $I_1$ and $I_1^*$ among them, and so do the curvatures at the start
+:method: The polynomials of the two curves are compared; the rest is exact arithmetic.  The curvature at the start is a number of the points divided by $I_1$.
+:control: weights that do not change in reverse order
+:::
+*/
+CLAIM(palindromes_of_degree_five) { G(check_palindrome)(T, 5); }
 
 /* (a_i, a_j, a_k) of the edges of points of space. */
 static num G(edges_det)(const num R[], int i, int j, int k)
@@ -620,8 +639,8 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
   \frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}=0
 :corrected-by: quintic_starts_with_these_factors factor_of_the_curvature_is_positive backward_run_flattens_the_first_edges
 :confirmed-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
-:needs: palindromes_of_degree_four | theorem 3.2.1: the first three edges are not coplanar | $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$; otherwise
-  the point set may be run backwards, in the example for $n=4$ and with the last three edges coplanar, too, and the start of one curve is the end of the other
+:needs: palindromes_of_degree_five | theorem 3.2.1: the first three edges are not coplanar | $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$; otherwise
+  the point set may be run backwards, in the example with the last three edges coplanar, too, and the start of one curve is the end of the other
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | That both differences are 0: the two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be

@@ -24,10 +24,10 @@ the range from $-\frac{21}4$ to 1.
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`) $\beta$ moves each inner Bézier point $Q_k$ of degree 8, $k=1,\dots,7$, but the middle one, $Q_4$,
   which stays, evenly on the line of its edge $P_{k-1}P_k$, if this is not 0, and each point of the curve on a straight line, evenly or not at all;
-  if the polygon is convex and turns by at most two right angles, these move outward or stay while $\beta$ grows from $-\frac72$ to 1
+  if the polygon is convex and turns by at most two right angles, the latter move outward or stay while $\beta$ grows from $-\frac72$ to 1
 :corrected-by: bezier_points_divide_the_edges points_move_evenly_with_beta curve_is_a_blend_of_three_points
-  turns_push_by_these_numbers_in_every_degree turns_push_outward_in_the_range product_of_two_sums_goes_by_pairs
-:confirmed-by: growing_beta_pushes_by_the_turns
+  growing_beta_pushes_by_the_turns turns_push_outward_in_the_range
+:confirmed-by: turns_push_by_these_numbers_in_every_degree product_of_two_sums_goes_by_pairs
 :figure: closer_or_not
 :degree: 7
 

@@ -177,6 +177,31 @@ static void check_links(const struct book *book, const struct block *b)
     }
 }
 
+/* Whether the claim stands under the key. */
+static int lists(const struct block *b, const char *key, const char *name)
+{
+    for (int k = 0; k < b->options; k++)
+        if (strcmp(b->option[k].key, key) == 0 && has_word(b->option[k].value, name))
+            return 1;
+    return 0;
+}
+
+/* What a statement rests on does not confirm it, too: nothing rests on what confirms. */
+static void check_confirming(const struct block *b)
+{
+    static const char *const resting[] = {"holds-by", "corrected-by", "checked-by"};
+    for (int k = 0; k < b->options; k++) {
+        if (role_of(b->option[k].key) != CONFIRMED_BY)
+            continue;
+        char *words = whole_copy(b->option[k].value);
+        for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " "))
+            for (int j = 0; j < 3; j++)
+                if (lists(b, resting[j], word))
+                    complain(b->file, b->option[k].line, "'%s' is confirmed by '%s', which stands in %s already",
+                             b->name, word, resting[j]);
+    }
+}
+
 /* Whether a reading is true is derived from its claim, and not typed in. */
 static void check_words_of_reading(const struct block *b, int line, const char *text)
 {
@@ -266,6 +291,7 @@ static void check_statement(const struct book *book, const struct block *b)
     if (figure != NULL && !contains(&book->figures, figure))
         complain(b->file, b->line, "'%s': there is no FIGURE(%s)", b->name, figure);
     check_links(book, b);
+    check_confirming(b);
     check_readings(book, b);
     check_remark(b);
     check_source_of(book, b);

@@ -59,7 +59,7 @@ def is_told(condition, scope):
     return as_read(condition) in as_read(scope) or bool(positive and re.search(rf"all positive [^;]*\b{positive.group(1)}\b", scope))
 
 
-DEGREES = {"linear": 1, "quadratic": 2, "cubic": 3, "quartic": 4}
+DEGREES = {"linear": 1, "quadratic": 2, "cubic": 3, "quartic": 4, "quintic": 5, "sextic": 6}
 
 
 def degrees_of(scope):
@@ -73,11 +73,16 @@ def degrees_of(scope):
 
 
 def degree_of_instance(block):
-    """The one degree that the curve of a block has, by its order or by the word for it; None where neither is said, or several are."""
-    given = words_of(block.get("given", ""))
-    order = re.search(r"\$k=(\d+)\$|(?<!\w)k = (\d+)", given + "; " + words_of(block.get("data", "")))
+    """The one degree that the curve of a block has, by its order or the word for it, or else by the number of its weights or points; None where none
+    of these is said, or several are."""
+    given, data = words_of(block.get("given", "")), "; ".join(block.get("data", []))
+    order = re.search(r"\$k=(\d+)\$|(?<!\w)k = (\d+)", given + "; " + data)
     said = {DEGREES[word] for word in re.findall(r"\b(?:" + "|".join(DEGREES) + r")\b", given)}
-    return int(order.group(1) or order.group(2)) - 1 if order else said.pop() if len(said) == 1 else None
+    if order or said:
+        return int(order.group(1) or order.group(2)) - 1 if order else said.pop() if len(said) == 1 else None
+    lists = re.findall(r"(?:^|; )[ωPR] = ([^;]*)", data)
+    counts = {len(re.findall(r"\([^)]*\)|[^\s()]+", text)) for text in lists} - {1}
+    return counts.pop() - 1 if len(counts) == 1 and "T = " not in data else None
 
 
 def is_worked_number(text):
@@ -160,8 +165,22 @@ class Scopes(unittest.TestCase):
         self.assertEqual(degrees_of("order 1; all knots"), (0, 0))
         self.assertIsNone(degrees_of("every n"))
         self.assertEqual(degree_of_instance({"given": "$k=2$, the knots $t_i$"}), 1)
-        self.assertEqual(degree_of_instance({"given": "a curve of order $k$", "data": "n = 5; k = 4"}), 3)
+        self.assertEqual(degree_of_instance({"given": "a curve of order $k$", "data": ["n = 5; k = 4"]}), 3)
+        self.assertEqual(degree_of_instance({"given": "a curve", "data": ["R = (0,0) (1,2) (2,0); ω = 1 1 1", "t = 1/2"]}), 2)
+        self.assertIsNone(degree_of_instance({"given": "a point", "data": ["R = (1/3,4/3)"]}))
         self.assertIsNone(degree_of_instance({"given": "a linear and a cubic curve"}))
+
+    def test_the_one_degree_of_a_statement_is_visited(self):
+        """A statement about degree 7 rests on no claim that is decided up to degree 4 and sampled in degree 7."""
+        visited = 0
+        for name, block in BLOCKS.items():
+            for claim in [c for role in ("holds-by", "corrected-by", "checked-by") for c in words_of(block.get(role, "")).split()] if "degree" in block else []:
+                found = re.match(r"(\d+)\.\.(\d+)", words_of(CLAIM_BLOCKS[claim].get("degrees", "")))
+                if found:
+                    visited += 1
+                    with self.subTest(name, claim=claim):
+                        self.assertTrue(int(found.group(1)) <= int(words_of(block["degree"])) <= int(found.group(2)), found.group(0))
+        self.assertGreater(visited, 15)
 
     def test_a_condition_is_told_once(self):
         """Two conditions that differ by an index or a mark alone are one with two names, "t_0 and t_1 differ, and t_i and t_{i+1} do"."""

@@ -512,6 +512,16 @@ class BadLinks(Weaving):
         self.spoiled("first.claims.h", ":refuted-by: ratio_fails", ":refuted-by: range_is_decided", "no counterexample",
                      at=":::{statement} source:1.2")
 
+    def test_what_decides_does_not_confirm(self):
+        confirms = ":confirmed-by: range_is_decided"
+        for key in "holds-by", "checked-by":
+            with self.subTest(key):
+                self.spoiled("first.claims.h", ":holds-by: sum_is_zero\n", f":{key}: range_is_decided sum_is_zero\n", "confirmed by 'range_is_decided'",
+                             f"in {key} already", at=confirms)
+        corrects = ":corrected-by: sum_is_zero range_is_decided\n"
+        self.spoiled("first.claims.h", corrects, corrects + ":confirmed-by: every_degree sum_is_zero\n", "confirmed by 'sum_is_zero'",
+                     "in corrected-by already", at=":confirmed-by: every_degree")
+
     def test_a_hypothesis_is_tried(self):
         self.spoiled("first.claims.h", ":hypothesis: ratio_fails | $a:b$ is", ":hypothesis: it is", "no claim tries", "hypothesis")
         self.spoiled("first.claims.h", ":needs: ratio_fails | ", ":needs: ", "does not exist", "'section 1'",
