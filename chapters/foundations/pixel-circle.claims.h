@@ -36,7 +36,7 @@ radii that a screen has the two are nearly the same; for the smallest ones they 
 :corrected: For $r\sin\theta=1$ the points are $\sqrt{1+\tan^2\frac\theta2}>1$ apart; they are one pixel apart for
   $2r\sin\frac\theta2=1$, that is $\cos\theta=1-\frac1{2r^2}$.
 :corrected-by: distance_of_the_first_two_points
-:confirmed-by: distance_of_the_third_way_tends_to_a_pixel
+:confirmed-by: distance_of_the_third_way_tends_to_a_pixel rotated_points_are_equally_spaced
 :meant: the words, the distance of the two points (二点之间的距离), with nothing added | The distance along a straight line.
 :reading: unit_height_is_not_unit_distance | the distance along a straight line
 :reading: larger_difference_is_the_height | the distance in the rows and columns of a screen, the larger of the two differences of the coordinates

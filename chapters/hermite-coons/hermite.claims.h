@@ -23,9 +23,7 @@ serves for existence and uniqueness, the system being square.
 :needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | the $k+1$ points $t_i$ are different
 :figure: hermite_blending_functions
 :::
-*/
 
-/*
 :::{statement} slides-ch4:2-general-degree
 :title: In general the interpolating polynomial is of a high degree
 :zh: 一般 Hermite 插值多项式次数较高

@@ -331,9 +331,7 @@ it by continuing each segment beyond its knots.
   the polynomials $P_j$ of the span of $t$
 :method: The levels by the recursion for all indices, by its letter; the sum by the recursion of de Boor and Cox as it
   is defined; the right side by the kernel of derivatives, whose parameter is any number.  So for every $t$ of the
-  span the derivatives by $t$ and by $\tau$ are those of the tangents of one curve, and the condition of the envelope
-  is $(t-\tau)\,\mathbf r_j'(\tau)\times\mathbf r_j''(\tau)=0$, up to a factor without zeros, by
-  `first_level_condition_factors` with $t$ and $\tau$ exchanged.
+  span the derivatives by $t$ and by $\tau$ are those of the tangents of one curve.
 :degrees: 2..6 sampled 6
 :scope: simple knots; the distinct knots variables up to order 5, numbers above
 :control: the segment of the first span for every span

@@ -217,6 +217,7 @@ CLAIM(clamped_start_inserted_again_repeats_the_first_point)
 :given: $\tau\in(t_\mu,t_{\mu+1}]$; an index $i=\mu-k+2+m$ for which the proof of lemma 4.2.1 prints a quotient as factor, $m\ge0$, and so $i+k-1=\mu+1+m$; the distances $a=t_\mu-t_i$, $b=\tau-t_\mu$, $c=t_{\mu+1}-\tau$ and
   $d=t_{i+k-1}-t_{\mu+1}$, with $b>0$ and each of the others positive or $0$
 :let: $\alpha_i=\frac{\tau-t_i}{t_{i+k-1}-t_i}$
+:harmless: with $b>0$ and each of the others positive | knots in order, of which the scope tells that $\tau$ is behind $t_\mu$
 :then: $0\le\alpha_i\le1$; and for $c=d=0$, as for $\tau=t_{\mu+1}$ and $m=0$, it is $\alpha_i=1$
 :method: $\alpha_i=\frac{a+b}{a+b+c+d}$, whose divisor is not $0$, since $b>0$.  Nothing else of the knots enters, so this is for every $k$ and all knots,
   multiple ones among them.

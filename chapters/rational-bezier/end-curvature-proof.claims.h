@@ -318,10 +318,13 @@ order change their sign, and so do the edges.  That leaves a sign in $R''(1)$ on
 :zh: t=1 处前三阶导矢用边矢表示（任意 n）
 :given: any $n$; weights, $\omega_n\ne0$; $R_n$ and the edges $a_n,a_{n-1},a_{n-2}$
 :where: $\omega_n\ne0$
-:let: $\tilde f_1,\tilde g_1,\tilde g_2$ as $f_1,g_1,g_2$ in `derivative_vectors_at_zero_in_every_degree`, with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
+:let: $\omega_0f_1=n(n-1)(\omega_2-2\omega_1)-2n\omega'\omega_1/\omega_0$, $\omega_0g_2=n(n-1)(n-2)(\omega_3-3\omega_2)-3n(n-1)\omega'\omega_2/\omega_0$,
+  $\omega_0g_1=n(n-1)(n-2)(\omega_3-3\omega_2+3\omega_1)-3\omega'f_1-3n\omega''\omega_1/\omega_0$ with $\omega'=n(\omega_1-\omega_0)$ and
+  $\omega''=n(n-1)(\omega_2-2\omega_1+\omega_0)$;
+  $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
 :then: $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
   $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
-:method: As there, in $s=1-t$ with the polygon reversed, where $R_{n-i}=R_n-a_n-\dots-a_{n-i+1}$, and a derivative of odd order by $t$ is minus that by $s$.
+:method: As at the beginning, in $s=1-t$ with the polygon reversed, where $R_{n-i}=R_n-a_n-\dots-a_{n-i+1}$, and a derivative of odd order by $t$ is minus that by $s$.
 :degrees: all
 :over: n: -; a#: edges
 :control: $-\omega_{n-1}$ for $-2\omega_{n-1}$ in $\tilde f_1$
@@ -335,7 +338,9 @@ CLAIM(derivative_vectors_at_one_in_every_degree) { G(compare_end_vectors)(T, 1);
 :zh: 两端前三阶导矢用边矢表示
 :given: weights and points
 :where: $\omega_0\ne0$ and $\omega_n\ne0$
-:let: $f_1,g_1,g_2$ as in `derivative_vectors_at_zero_in_every_degree`, and $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
+:let: $\omega_0f_1=n(n-1)(\omega_2-2\omega_1)-2n\omega'\omega_1/\omega_0$, $\omega_0g_2=n(n-1)(n-2)(\omega_3-3\omega_2)-3n(n-1)\omega'\omega_2/\omega_0$,
+  $\omega_0g_1=n(n-1)(n-2)(\omega_3-3\omega_2+3\omega_1)-3\omega'f_1-3n\omega''\omega_1/\omega_0$ with $\omega'=n(\omega_1-\omega_0)$ and
+  $\omega''=n(n-1)(\omega_2-2\omega_1+\omega_0)$; $\tilde f_1,\tilde g_1,\tilde g_2$ the same with $\omega_n,\omega_{n-1},\dots$ for $\omega_0,\omega_1,\dots$
 :then: $R'(0)=\frac{n\omega_1}{\omega_0}a_1$, $R''(0)=\frac{n(n-1)\omega_2}{\omega_0}a_2+f_1a_1$,
   $R'''(0)=\frac{n(n-1)(n-2)\omega_3}{\omega_0}a_3+g_2a_2+g_1a_1$; $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
   $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
@@ -460,7 +465,7 @@ CLAIM(curvature_and_torsion_follow_at_zero_in_every_degree) { G(compare_end_curv
   $R'''=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+g_2a_{n-1}+g_1a_n$
 :then: $\kappa^2$ and $\tau$ of these are $\left(\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\right)^2\frac{|a_{n-1}\times a_n|^2}{|a_n|^6}$ and
   $\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(a_{n-2},a_{n-1},a_n)}{|a_{n-1}\times a_n|^2}$
-:method: As in `curvature_and_torsion_follow_at_zero_in_every_degree`, with the other sign of the second derivative and the mixed product in the order printed.
+:method: As at the beginning of the curve, with the other sign of the second derivative and the mixed product in the order printed.
 :degrees: all
 :where: $\omega_{n-2}\omega_{n-1}\omega_n\ne0$
 :over: n: -; x# y# z#: edges; f# g# p q r: -
