@@ -309,6 +309,20 @@ static int has_limits(const char *word)
     return is_sum(word) || strcmp(word, "lim") == 0 || strcmp(word, "max") == 0 || strcmp(word, "min") == 0;
 }
 
+/* Behind the end of a row: the star and the space to the next one belong to it, \\*, \\[3mm]. */
+static const char *behind_break(const char *s)
+{
+    s += *s == '*';
+    if (*s != '[')
+        return s;
+    const char *unit = s + 1 + strspn(s + 1, "0123456789.,+- ");
+    size_t n = *unit == '\\' ? 1 + strcspn(unit + 1, "\\] ") : 2;
+    int is_length = n == 2 ? unit > s + 1 && isalpha((unsigned char)unit[0]) && isalpha((unsigned char)unit[1])
+                           : strncmp(unit, "\\jot", n) == 0 || (n > 4 && strncmp(unit + n - 4, "skip", 4) == 0);
+    unit += is_length ? n + strspn(unit + n, " ") : 0;
+    return is_length && *unit == ']' ? unit + 1 : s;
+}
+
 /* \word at s (behind the backslash). */
 static const char *command(const char *s, struct text *out)
 {
@@ -318,8 +332,8 @@ static const char *command(const char *s, struct text *out)
     size_t n = (size_t)(e - s);
     if (n == 0) { /* \, \; \{ \\ ... */
         if (*s == '\\')
-            put_division(out, NEXT_ROW);
-        else if (*s == '{' || *s == '}' || *s == '|' || *s == '%' || *s == '&')
+            return put_division(out, NEXT_ROW), behind_break(s + 1);
+        if (*s == '{' || *s == '}' || *s == '|' || *s == '%' || *s == '&')
             *s == '|' ? puts_(out, "‖") : put(out, s, 1);
         else if (*s == ',' || *s == ';' || *s == ' ' || *s == ':')
             puts_(out, " ");

@@ -26,7 +26,7 @@ static const struct {
     {"\\scriptstyle", ""}, {"\\thinspace", ""}, {"\\negthinspace", ""}, {"\\medspace", ""}, {"\\thickspace", ""}, {"\\enspace", ""},
     {"\\enskip", ""}, {"\\hfill", ""}, {"\\strut", ""}, {"\\mathstrut", ""}, {"\\relax", ""}, {"\\boxed", ""}, {"\\ensuremath", ""},
     {"\\middle", ""}, {"\\displaystyle", ""}, {"\\textstyle", ""}, {"\\limits", ""}, {"\\nolimits", ""}, {"\\quad", ""},
-    {"\\qquad", ""}, {"\\nonumber", ""}, {"\\notag", ""},
+    {"\\qquad", ""}, {"\\nonumber", ""}, {"\\notag", ""}, {"\\cr", "\\\\"}, {"\\tabularnewline", "\\\\"},
     {"\\,", ""}, {"\\;", ""}, {"\\:", ""}, {"\\!", ""}, {"\\ ", ""}, {"\\>", ""}, {"~", ""},
     {"\u00a0", ""}, {"\u2002", ""}, {"\u2003", ""}, {"\u2009", ""}, {"\u200a", ""}, {"\u202f", ""}, {"\u3000", ""},
     {"⩽", "\\le"}, {"⩾", "\\ge"}, {"≦", "\\le"}, {"≧", "\\ge"}, {"⋅", "*"}, {"∗", "*"}, {"⋯", "\\dots"}, {"⟹", "\\Rightarrow"},
@@ -206,6 +206,55 @@ static int behind_meaningless(const char *text, const char *s, int n, int at, in
     return at;
 }
 
+/* The end of a length of TeX at `at`, 3mm, -.5ex, 2\jot; `at` where there is none. */
+static int behind_length(const char *text, int at, int to)
+{
+    static const char *const units[] = {"pt", "mm", "cm", "in", "ex", "em", "bp", "pc", "dd", "cc", "sp", "mu", "px"},
+                             *const lengths[] = {
+                                 "\\jot",           "\\baselineskip",  "\\normalbaselineskip", "\\smallskipamount",
+                                 "\\medskipamount", "\\bigskipamount", "\\lineskip",           "\\parskip"};
+    int k = at, digits = 0;
+    while (k < to && (text[k] == '-' || text[k] == '+' || isspace((unsigned char)text[k])))
+        k++;
+    for (; k < to && (isdigit((unsigned char)text[k]) || text[k] == '.' || text[k] == ','); k++)
+        digits += isdigit((unsigned char)text[k]) != 0;
+    while (k < to && isspace((unsigned char)text[k]))
+        k++;
+    for (size_t m = 0; k < to && text[k] == '\\' && m < sizeof lengths / sizeof *lengths; m++)
+        if (is(text + k, length_at(text + k, to - k), lengths[m]))
+            return k + (int)strlen(lengths[m]);
+    for (size_t m = 0; digits > 0 && m < sizeof units / sizeof *units; m++)
+        if (k + 2 <= to && memcmp(text + k, units[m], 2) == 0)
+            return k + 2;
+    return at;
+}
+
+/* Behind the end of a row \\, which ends at `at`: the star and the space to the next row belong to it, \\*, \\[3mm].  -1 and the error where a blank before
+ * the bracket leaves open what it is. */
+static int behind_break(const char *text, int at, int to, cagd_reading_error *error)
+{
+    int k = at + (at < to && text[at] == '*'), open, end;
+    at = k;
+    while (k < to && isspace((unsigned char)text[k]))
+        k++;
+    if (k == to || text[k] != '[')
+        return at;
+    open = k;
+    end = behind_length(text, k + 1, to);
+    for (k = end; k < to && isspace((unsigned char)text[k]);)
+        k++;
+    if (end == open + 1 || k == to || text[k] != ']')
+        return at;
+    if (open > at) {
+        cagd_refuse_reading(
+            error, open, k + 1,
+            "the space between two rows, or a factor? write \\\\%.*s, or round brackets around the factor",
+            k + 1 - open > 20 ? 20 : k + 1 - open, text + open);
+        return -1;
+    }
+    return k + 1;
+}
+
 /* The bar of \left. ... \right|_{t=a}, whose \left. ends at `at`; -1 where it is another bracket, or far. */
 static int bar_behind(const char *text, int at, int to)
 {
@@ -350,6 +399,9 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
         for (int k = 0; k < bars; k++)
             t.word = bar[k] == t.from ? "\\right|" : t.word;
         int behind = behind_meaningless(text, s, t.to - t.from, at, to);
+        if (strcmp(t.word, "\\\\") == 0 && (at = t.to = behind_break(text, at, to, error)) < 0)
+            return NULL;
+        behind = behind > at ? behind : at;
         if (t.word[0] == '\0' || behind > at) {
             at = behind;
             continue;

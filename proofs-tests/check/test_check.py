@@ -1478,6 +1478,23 @@ class Ranges(unittest.TestCase):
             self.assertIn(words, r.stderr)
 
 
+class RowsAndLists(unittest.TestCase):
+    """Rows of cases and matrices, lists of numbers, and texts, as papers print them: each read as it is meant, or refused."""
+
+    LETTERS = "a, c, e, m, p, q \\in \\mathbb{R}\n"
+
+    def test_the_space_behind_a_row_is_no_factor(self):
+        """The letters of 3mm, 1ex, 5pt have a meaning here, and are none of the formula."""
+        for space in ("[3mm]", "[1ex]", "*", "*[-.5em]", "[ 2 pt ]", "[\\jot]", "[1.5\\baselineskip]"):
+            for printed, right, wrong in ((f"\\begin{{cases}} x, & x \\ge 0, \\\\{space} -x, & x < 0. \\end{{cases}} = |x|", "|x|", "|x| + m"), (f"\\left\\{{\\begin{{array}}{{ll}} x, & x \\ge 0, \\\\{space} -x, & x < 0. \\end{{array}}\\right. = |x|", "-x, &", "x, &"),
+                                   (f"\\begin{{vmatrix}} x & 1 \\\\{space} m & x \\end{{vmatrix}} = x^2 - m", "m &", "2m &"), (f"\\begin{{pmatrix}} x & 1 \\\\{space} m & x \\end{{pmatrix}} \\begin{{pmatrix}} 1 \\\\{space} x \\end{{pmatrix}} = \\begin{{pmatrix}} 2x \\\\{space} m + x^2 \\end{{pmatrix}}", "2x", "3x")):
+                with self.subTest(printed=printed):
+                    self.assertEqual(verdict(printed, "n = 1", self.LETTERS)["verdict"], "holds")
+                    self.assertEqual(verdict(printed.replace(right, wrong), "n = 1", self.LETTERS)["verdict"], "fails")
+                    page = check(document(printed, "n = 1", self.LETTERS)).stdout
+                    self.assertFalse([s for s in ("mm]", "ex]", "em]", "pt ]", "jot]", "skip]", "*") if s in page], page)
+
+
 class Mistakes(unittest.TestCase):
     """One line, the line of the file, and a caret; nothing is decided."""
 
