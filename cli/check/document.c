@@ -493,8 +493,11 @@ static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope 
             continue;
         if (!is_list(d->text, begin, stop) && cagd_read_statement(scope, d->text, from, at, &unused) != NULL)
             continue;
-        if (!cagd_read_ranges(&known, d->text, begin, stop, &unused))
+        if (!cagd_read_ranges(&known, d->text, begin, stop, &unused)) {
+            if (unused.of_list)
+                *error = unused;
             continue;
+        }
         cagd_reading_error before = {0};
         const cagd_tree *t = cagd_read_statement(&known, d->text, from, at, &before);
         if (t != NULL) {
@@ -663,7 +666,8 @@ static void read_functions(struct document *d, struct sheet *s, int from, int to
     s->index_from = index->from - from, s->index_to = index->to - from;
     s->argument_from = argument->from - from, s->argument_to = argument->to - from;
     s->functions = cagd_text_of(d->text + from, to - from);
-    if (v == NULL || !v->whole || !whole_of(&s->scope, v->low, &s->first) || !whole_of(&s->scope, v->high, &s->last))
+    if (v == NULL || !v->whole || v->step > 1 || v->listed != NULL || !whole_of(&s->scope, v->low, &s->first) ||
+        !whole_of(&s->scope, v->high, &s->last))
         complain(d, from, to, "the range of the index is not known: expected, for instance, :for: %s = 0..3", s->index);
     else if (s->last <= s->first || s->last - s->first >= CAGD_MOST_FUNCTIONS)
         complain(d, from, to, "expected 2 to %d functions", CAGD_MOST_FUNCTIONS);

@@ -89,6 +89,14 @@ static const char *source(const struct document *d, const cagd_tree *t)
     return text != NULL ? text : "";
 }
 
+/* A list as it is printed, from its first number to its last one, and the other way round where it goes down. */
+static const char *as_printed(const struct document *d, const cagd_tree *a, const cagd_tree *b)
+{
+    int from = a->from < b->from ? a->from : b->from, to = a->to > b->to ? a->to : b->to;
+    const char *text = cagd_text_of(d->text + from, to - from);
+    return text != NULL ? text : "";
+}
+
 /* The letters of a name without its numbers: "\omega" of "\omega_3", "\mathbf{P}" of the component "(\mathbf{P}_0)_x". */
 static int is_of(const char *key, const char *head)
 {
@@ -140,6 +148,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         const cagd_variable *v = whole[k];
         if (v->high == NULL)
             text = append(text, "%severy $%s %s %s$", comma, v->head, v->low_open ? ">" : "\\ge", source(d, v->low));
+        else if (v->step > 1 || v->listed != NULL)
+            text = append(text, "%s$%s = %s$", comma, v->head, as_printed(d, v->low, v->high));
         else if (v->low_open || v->high_open)
             text = append(text, "%swhole $%s %s %s %s %s$", comma, source(d, v->low), v->low_open ? "<" : "\\le",
                           v->head, v->high_open ? "<" : "\\le", source(d, v->high));
@@ -691,9 +701,9 @@ json_t *found_json(const struct formula *s, const cagd_found *f)
         free(digits);
     }
     char *values = tex_to_text(f->known ? values_of(s, f) : "", 1);
-    json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:o, s:I, s:o}", "name", s->name, "line", s->line, "printed_tex",
-                          s->printed, "verdict", f->known ? "found" : "undecided", "find", s->find, "values", values, "roots", roots,
-                          "cases", (json_int_t)f->cases, "fails_for", fails);
+    json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:o, s:I, s:o}", "name", s->name, "line", s->line,
+                          "printed_tex", s->printed, "verdict", f->known ? "found" : "undecided", "find", s->find,
+                          "values", values, "roots", roots, "cases", (json_int_t)f->cases, "fails_for", fails);
     free(values);
     if (!f->known)
         json_object_set_new(j, "reason", json_string(f->why));

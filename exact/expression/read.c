@@ -404,7 +404,9 @@ static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
             r->token = at;
             return cagd_refuse_token(r, "'%s' is not understood; expected 'if' or 'otherwise'", words);
         }
+        r->lists++, r->premises++;
         list[count] = cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_conditions(r);
+        r->lists--, r->premises--;
         if (list[count++] == NULL)
             return NULL;
         if (!cagd_pass(r, ","))
@@ -595,8 +597,8 @@ static const cagd_tree *word(cagd_reader *r)
         return r->token++, scalar_product(r);
     if (strcmp(w, "\\underbrace") == 0 || strcmp(w, "\\overbrace") == 0)
         return r->token++, under_a_brace(r);
-    static const char *const others[] = {"\\sec",  "\\csc",    "\\exp",    "\\log",    "\\ln", "\\sinh", "\\cosh",
-                                         "\\tanh", "\\arcsin", "\\arccos", "\\arctan", NULL};
+    static const char *const others[] = {"\\sec",  "\\csc",  "\\exp",    "\\log",    "\\ln",     "\\sinh",
+                                         "\\cosh", "\\tanh", "\\arcsin", "\\arccos", "\\arctan", NULL};
     if (is_one_of(w, others))
         return cagd_refuse_token(r, "%s is no rational function: name its value, and say what relation it has", w);
     if (strcmp(w, "\\dots") == 0)
@@ -1117,8 +1119,9 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
             more = 1;
         else if (words != NULL)
             r->token = here, more = 0;
-        if (more && (cagd_next_is_member(r) || cagd_forall_of_names(r) || r->token->kind == CAGD_TOKEN_END ||
-                     cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
+        if (more && (cagd_next_is_member(r) || cagd_forall_of_names(r) ||
+                     (r->premises == 0 && cagd_next_is_parity(r)) || cagd_next_is_other_definition(r) ||
+                     r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
             more = 0;
     } while (more);
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);

@@ -103,42 +103,26 @@ static int next_definition(const cagd_reader *r)
     return has_arguments && is_equal_sign(t) && strcmp(t[-1].word, ")") == 0;
 }
 
-/* i = 0, 1, \dots, n as a condition: 0 \le i \le n. */
-static const cagd_tree *index_range(cagd_reader *r)
+int cagd_next_is_other_definition(const cagd_reader *r)
 {
-    static const cagd_relation between[2] = {CAGD_LESS_OR_EQUAL, CAGD_LESS_OR_EQUAL};
-    const cagd_token *t = r->token;
-    while (t->kind != CAGD_TOKEN_END && strcmp(t->word, "\\dots") != 0)
-        t++;
-    if (r->token->kind != CAGD_TOKEN_LETTER || strcmp(r->token[1].word, "=") != 0 || t->kind == CAGD_TOKEN_END)
-        return NULL;
-    const cagd_tree *name = cagd_read_name(r), *high = NULL;
-    cagd_pass(r, "=");
-    r->ends++;
-    const cagd_tree *low = name != NULL ? cagd_read_sum(r) : NULL;
-    r->ends--;
-    while (low != NULL && cagd_pass(r, ",") && !cagd_next_is(r, "\\dots"))
-        if (cagd_read_sum(r) == NULL)
-            return NULL;
-    if (low != NULL && cagd_expect(r, "\\dots", "the first numbers")) {
-        cagd_pass(r, ",");
-        high = cagd_read_sum(r);
-    }
-    return high != NULL ? cagd_relate(r, name->from, 3, (const cagd_tree *[]){low, name, high}, between) : NULL;
+    cagd_reader at = *r;
+    cagd_reading_error none = {0};
+    if (r->defining == NULL || !next_definition(r))
+        return 0;
+    at.error = &none;
+    const cagd_tree *name = declared_name(&at);
+    return name != NULL && (strcmp(name->head, r->defining) == 0 || !cagd_is_known(r, name->head));
 }
 
-/* What stands behind the comma of a definition. */
+/* What stands behind the comma of a definition; another definition may follow it, behind a comma. */
 static const cagd_tree *condition(cagd_reader *r)
 {
     if (cagd_next_is_member(r))
         return cagd_read_members(r);
-    const cagd_tree *range = index_range(r);
-    if (range == NULL)
-        return r->error->message[0] == '\0' ? cagd_read_alternatives(r) : NULL;
-    if (!cagd_pass(r, ",") || r->token->kind == CAGD_TOKEN_END)
-        return range;
-    const cagd_tree *more = condition(r);
-    return cagd_new_of(r, CAGD_ALL, range->from, 2, (const cagd_tree *[]){range, more});
+    r->lists++, r->premises++;
+    const cagd_tree *t = cagd_read_alternatives(r);
+    r->lists--, r->premises--;
+    return t;
 }
 
 static int definition(cagd_reader *r, cagd_scope *scope);
@@ -162,8 +146,10 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
         if (cagd_pass(r, ",") || cagd_next_is(r, "\\text") || bracket) {
             cagd_read_words(r);
             bracket = cagd_is_truth_in_brackets(r) && cagd_pass(r, "(");
+            r->defining = left->head;
             read = r->token->kind == CAGD_TOKEN_END || next_definition(r) ||
                    ((d->when = condition(r)) != NULL && (!bracket || cagd_expect(r, ")", "the condition")));
+            r->defining = NULL;
         }
     }
     r->bound = outside;
@@ -371,8 +357,12 @@ static int is_positive(const cagd_token *t)
     return (strcmp(sign, "+") == 0 || strcmp(sign, "*") == 0) && (!braces || strcmp(t[3].word, "}") == 0);
 }
 
-static int dots(cagd_reader *r, const cagd_tree **high);
-static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first);
+/* The variable runs over the numbers of the list. */
+static void take_list(cagd_variable *v, const cagd_list *list)
+{
+    v->whole = 1, v->low = list->low, v->high = list->high, v->step = list->step;
+    v->listed = list->listed, v->listed_count = list->count;
+}
 
 /* ℕ, or \{0, \dots, n\}. */
 static int whole_numbers(cagd_reader *r, cagd_variable *v)
@@ -382,18 +372,14 @@ static int whole_numbers(cagd_reader *r, cagd_variable *v)
     if (cagd_pass(r, "\\N"))
         return 1;
     r->token++;
-    r->ends++;
-    v->low = cagd_read_sum(r);
-    r->ends--;
-    if (v->low == NULL)
+    cagd_list list;
+    int is_list = cagd_read_list(r, "n", &list);
+    if (is_list < 0)
         return 0;
-    int has_dots = dots(r, &v->high);
-    if (has_dots == 0)
-        v->high = listed(r, v->low);
-    if (has_dots >= 0 && v->high == NULL)
-        return cagd_refuse_token(
-                   r, "expected whole numbers one behind another, such as \\{0, 1, 2\\} or \\{0, \\dots, n\\}") != NULL;
-    return has_dots >= 0 && cagd_expect(r, "\\}", "the numbers");
+    if (!is_list && !cagd_next_is(r, "\\}"))
+        return cagd_refuse_token(r, "expected whole numbers, such as \\{0, 1, 2\\} or \\{0, \\dots, n\\}") != NULL;
+    take_list(v, is_list ? &list : &(cagd_list){.low = list.low, .high = list.low, .step = 1});
+    return cagd_expect(r, "\\}", "the numbers");
 }
 
 /* Behind \in: \mathbb{R}, \mathbb{N}, \mathbb{Z}^+, [a,b], (a,b), \{0, \dots, n\}. */
@@ -501,96 +487,23 @@ static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *liste
     return read;
 }
 
-/* Behind the first number of a range: "..n", ", 2, \dots, n", ", \dots"; the last number, or NULL in *high where there is none.
- * 0: there are no dots, and nothing was passed; -1: an error. */
-static int dots(cagd_reader *r, const cagd_tree **high)
-{
-    struct place start = here(r);
-    *high = NULL;
-    int comma = cagd_pass(r, ",");
-    for (int k = 0; comma && k < 3 && !cagd_next_is(r, "\\dots"); k++)
-        if (cagd_read_sum(r) == NULL || !cagd_pass(r, ","))
-            return back(r, start);
-    if (!cagd_pass(r, "\\dots"))
-        return back(r, start);
-    struct place behind = here(r);
-    cagd_relation relation;
-    comma = cagd_pass(r, ",");
-    if (cagd_pass(r, "\\infty"))
-        return 1;
-    if (r->token->kind == CAGD_TOKEN_END)
-        return r->token = behind.token, 1;
-    *high = cagd_read_sum(r);
-    if (*high == NULL && !comma)
-        return -1;
-    if (*high == NULL || cagd_relation_next(r, &relation) || cagd_next_is(r, "\\in"))
-        *high = NULL, back(r, behind);
-    return 1;
-}
-
-/* ", 1, 2, 3" behind the number 0: the last of them, each one more than the one before; NULL where there are none. */
-static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first)
-{
-    const cagd_tree *last = NULL;
-    long before =
-        first->kind == CAGD_NUMBER && cagd_is_whole_q(first->number) ? mpz_get_si(mpq_numref(first->number.at)) : -1;
-    for (; before >= 0 && before < CAGD_MOST_NODES && cagd_next_is(r, ",") && r->token[1].kind == CAGD_TOKEN_NUMBER;
-         before++) {
-        const cagd_token *t = r->token + 1;
-        char next[24];
-        snprintf(next, sizeof next, "%ld", before + 1);
-        if (strcmp(t->word, next) != 0 ||
-            (t[1].kind != CAGD_TOKEN_END && strcmp(t[1].word, ",") != 0 && strcmp(t[1].word, "\\}") != 0))
-            break;
-        r->token += 2;
-        last = cagd_tree_number(before + 1, t->from, t->to);
-    }
-    return last;
-}
-
-/* 0(1)n, the whole numbers from 0 to n. */
-enum { STEPS = 4 };
-static int steps_of_one(const cagd_token *t)
-{
-    return (t->kind == CAGD_TOKEN_NUMBER || t->kind == CAGD_TOKEN_LETTER) && strcmp(t[1].word, "(") == 0 &&
-           strcmp(t[2].word, "1") == 0 && strcmp(t[STEPS - 1].word, ")") == 0 &&
-           (t[STEPS].kind == CAGD_TOKEN_NUMBER || t[STEPS].kind == CAGD_TOKEN_LETTER);
-}
-static const cagd_tree *lowest(cagd_reader *r, const cagd_token *t)
-{
-    const cagd_token *here = r->token;
-    r->token = t;
-    const cagd_tree *low = cagd_read_argument(r, 1);
-    r->token = here;
-    return low;
-}
-
-/* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
+/* i = 0, \dots, n; i = 0, 1, 2; i = 0(2)8; or n = 3, which is a definition.  -1: it is no such thing. */
 static int numbers(cagd_reader *r, cagd_scope *scope)
 {
     struct place start = here(r);
     const cagd_tree *name = declared_name(r);
     if (name == NULL || !cagd_pass(r, "="))
         return back(r, start) - 1;
-    const cagd_token *low = r->token;
-    r->ends++;
-    cagd_variable v = {.whole = 1, .low = cagd_read_sum(r)};
-    r->ends--;
-    if (v.low == NULL)
+    cagd_list list;
+    cagd_variable v = {0};
+    int is_list = cagd_read_list(r, name->head, &list);
+    if (is_list < 0)
         return 0;
-    if (steps_of_one(low)) { /* i = 0(1)n */
-        r->token = low + STEPS;
-        v.low = lowest(r, low);
-        v.high = cagd_read_sum(r);
-        return v.low != NULL && v.high != NULL && declare(r, scope, name, v);
-    }
-    int has_dots = dots(r, &v.high);
-    if (has_dots < 0)
-        return 0;
-    if (!has_dots)
-        v.high = listed(r, v.low);
-    if (has_dots || v.high != NULL)
+    take_list(&v, &list);
+    if (is_list)
         return declare(r, scope, name, v);
+    if (cagd_refuse_values(r, name->head))
+        return 0;
     if (!is_left_side(r, name, 0))
         return 0;
     cagd_definition *d = cagd_define(scope, name);
@@ -792,7 +705,7 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
                                     one->head) != NULL;
         if (v.left != NULL && (v.left->lower != p[which].tree->lower || v.left->upper != p[which].tree->upper))
             return cagd_refuse_tree(r, p[which].tree, "%s had other indices before", p[which].tree->head) != NULL;
-        int replaces = v.head != NULL;
+        int replaces = v.head != NULL && v.step <= 1 && v.listed == NULL;
         for (int k = 0; k < count; k++) {
             if (k == which)
                 continue;
@@ -817,12 +730,62 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     return t != NULL && (t = for_every_index(r, t)) != NULL && cagd_suppose(scope, t);
 }
 
+/* The words before a range, of which "even" and "odd" say something of its letter: -1, 1; else 0. */
+static int pass_words_before(cagd_reader *r)
+{
+    const char *words = "";
+    int parity = 0;
+    do
+        parity = words != NULL && cagd_parity_of_words(words) != 0 ? cagd_parity_of_words(words) : parity;
+    while ((words = cagd_read_words(r)) != NULL || cagd_pass(r, "\\forall"));
+    return parity;
+}
+
+/* That letter, which has its range, is even or odd. */
+struct parity {
+    const cagd_token *letter;
+    int parity, from, to;
+};
+static int suppose_parity(cagd_reader *r, cagd_scope *scope, struct parity p)
+{
+    const cagd_token *here = r->token;
+    r->token = p.letter != NULL ? p.letter : here;
+    cagd_tree *t = (cagd_tree *)cagd_is_of_parity(r, p.parity);
+    if (t == NULL)
+        return 0;
+    r->token = here;
+    t->from = p.from, t->to = p.to;
+    return cagd_suppose(scope, t);
+}
+
+static int ends_range(const cagd_token *t) { return t->kind == CAGD_TOKEN_END || strchr(",;.", t->word[0]) != NULL; }
+
 static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
 {
+    const cagd_token *first = NULL, *last;
+    struct parity said[CAGD_MOST_INDICES];
+    int parities = 0;
     do {
         cagd_reading_error listed = {0};
-        while (cagd_read_words(r) != NULL || cagd_pass(r, "\\forall"))
-            ;
+        int from = r->token->from;
+        int parity = pass_words_before(r), behind = parity != 0 && ends_range(r->token), is_alone;
+        last = first, first = r->token;
+        if (parity == 0 && cagd_next_is_parity(r)) {
+            r->token++;
+            parity = cagd_parity_of_words(cagd_read_words(r));
+            is_alone = 1;
+        } else {
+            is_alone = parity != 0 && first->kind == CAGD_TOKEN_LETTER && ends_range(first + 1);
+            r->token += is_alone;
+        }
+        if (parity != 0) { /* n = 1..8 \text{ even}, n \text{ even}, \text{even } n */
+            if (parities == CAGD_MOST_INDICES)
+                return cagd_refuse_token(r, "more than %d numbers that are even or odd", CAGD_MOST_INDICES) != NULL;
+            said[parities++] = behind ? (struct parity){last, parity, last != NULL ? last->from : from, r->token[-1].to}
+                                      : (struct parity){first, parity, from, is_alone ? r->token[-1].to : first->to};
+            if (behind || is_alone)
+                continue;
+        }
         cagd_share_value(r);
         int done = elements(r, scope, &listed);
         if (done < 0)
@@ -834,6 +797,9 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         if (!done)
             return 0;
     } while (cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_next_is(r, "\\text"));
+    for (int k = 0; k < parities; k++)
+        if (!suppose_parity(r, scope, said[k]))
+            return 0;
     return 1;
 }
 

@@ -61,7 +61,11 @@ const cagd_tree *cagd_read_condition(cagd_reader *r)
         return cagd_read_truth(r);
     if (cagd_next_is_member(r))
         return cagd_read_members(r);
-    const cagd_tree *t = cagd_read_relations(r);
+    if (cagd_next_is_parity(r))
+        return cagd_read_parity(r);
+    const cagd_tree *t = r->lists > 0 ? cagd_read_list_condition(r) : NULL;
+    if (t == NULL && r->error->message[0] == '\0')
+        t = cagd_read_relations(r);
     if (t != NULL || strcmp(here->word, "(") != 0)
         return t;
     cagd_reading_error first = *r->error; /* a truth in brackets, or what was wrong at first */
@@ -96,38 +100,51 @@ const cagd_tree *cagd_read_alternatives(cagd_reader *r)
     return cagd_new_of(r, CAGD_ANY, from, count, list);
 }
 
-/* Behind the letter of a quantifier: \in \{low, \dots, high\}, = low..high. */
-static int finite_range(cagd_reader *r, const cagd_tree **low, const cagd_tree **high)
+/* Behind the letter of a quantifier: \in \{low, \dots, high\}, = low..high, \in \{0, 2, 4\}. */
+static int finite_range(cagd_reader *r, const char *letter, cagd_list *list)
 {
     int braces = 0;
     if (cagd_pass(r, "\\in"))
         braces = cagd_expect(r, "\\{", "\\in") ? 1 : -1;
     else if (!cagd_expect(r, "=", "the letter of a quantifier"))
         braces = -1;
-    r->ends++;
-    *low = braces >= 0 ? cagd_read_sum(r) : NULL;
-    r->ends--;
-    if (*low == NULL)
-        return 0;
-    *high = *low;
-    while (cagd_pass(r, ",") && !cagd_next_is(r, "\\dots")) { /* 0, 1, \dots, n, or 0, 1, 2 */
-        const cagd_tree *before = *high;
-        *high = cagd_read_sum(r);
-        if (*high == NULL)
-            return 0;
-        if (before->kind != CAGD_NUMBER || (*high)->kind != CAGD_NUMBER ||
-            !cagd_equal_q((*high)->number, add_q(before->number, from_int_q(1))))
-            before = NULL;
-        if (before == NULL && !cagd_next_is(r, ","))
-            return cagd_refuse_tree(r, *high, "expected whole numbers one behind another, such as 0, 1, 2") != NULL;
+    int is_list = braces >= 0 ? cagd_read_list(r, letter, list) : -1;
+    if (is_list == 0 && !braces)
+        return cagd_expect(r, "\\dots", "the first number");
+    if (is_list == 0)
+        list->high = list->low;
+    if (is_list > 0 && list->high == NULL)
+        return cagd_refuse_tree(r, list->low, "a quantifier goes over finitely many whole numbers") != NULL;
+    return is_list >= 0 && (!braces || cagd_expect(r, "\\}", "the last number"));
+}
+
+/* What is said of each number of the list, or of one of them. */
+static const cagd_tree *over_list(cagd_reader *r, cagd_tree_kind kind, int from, const char *letter,
+                                  const cagd_list *list, const cagd_tree *body)
+{
+    const cagd_tree *one[CAGD_MOST_CHILDREN], *low = list->low, *high = list->high;
+    for (int k = 0; k < list->count; k++)
+        one[k] = cagd_tree_with(body, letter, list->listed[k]);
+    if (list->count > 0)
+        return cagd_new_of(r, kind == CAGD_FOR_ALL ? CAGD_ALL : CAGD_ANY, from, list->count, one);
+    if (list->step > 1) { /* low + step * k for k = 0, ..., (high - low)/step, the letter being k */
+        cagd_tree *k = cagd_new(r, CAGD_NAME, from, 0);
+        const cagd_tree *step = cagd_tree_number(list->step, from, low->to),
+                        *minus = cagd_new_of(r, CAGD_NEGATIVE, from, 1, &low);
+        if (k == NULL)
+            return NULL;
+        k->head = letter;
+        const cagd_tree *steps = cagd_new_of(r, CAGD_PRODUCT, from, 2, (const cagd_tree *[]){step, k});
+        const cagd_tree *member = cagd_new_of(r, CAGD_SUM, from, 2, (const cagd_tree *[]){low, steps});
+        const cagd_tree *length = cagd_new_of(r, CAGD_SUM, from, 2, (const cagd_tree *[]){high, minus});
+        body = member != NULL ? cagd_tree_with(body, letter, member) : NULL;
+        low = cagd_tree_number(0, from, low->to);
+        high = cagd_new_of(r, CAGD_QUOTIENT, from, 2, (const cagd_tree *[]){length, step});
     }
-    if (braces ? cagd_pass(r, "\\}") : *high != *low && cagd_next_is(r, ":"))
-        return 1;
-    if (!cagd_expect(r, "\\dots", "the first number"))
-        return 0;
-    cagd_pass(r, ",");
-    *high = cagd_read_sum(r);
-    return *high != NULL && (!braces || cagd_expect(r, "\\}", "the last number"));
+    cagd_tree *t = cagd_new_of(r, kind, from, 3, (const cagd_tree *[]){low, high, body});
+    if (t != NULL)
+        t->head = letter;
+    return t;
 }
 
 /* Whether names and an interval come next, t \in [0,1]. */
@@ -143,7 +160,7 @@ static const cagd_tree *quantified(cagd_reader *r)
 {
     int from = r->token->from;
     cagd_tree_kind kind = cagd_next_is(r, "\\forall") ? CAGD_FOR_ALL : CAGD_EXISTS;
-    const cagd_tree *low, *high;
+    cagd_list list;
     r->token++;
     if (++r->depth > CAGD_MOST_DEPTH)
         return cagd_refuse_token(r, "more than %d levels of brackets", CAGD_MOST_DEPTH);
@@ -158,7 +175,7 @@ static const cagd_tree *quantified(cagd_reader *r)
     if (r->token->kind != CAGD_TOKEN_LETTER)
         return cagd_refuse_token(r, "expected a letter, not %s", cagd_name_of_next(r));
     const char *head = (r->token++)->word;
-    if (!finite_range(r, &low, &high))
+    if (!finite_range(r, head, &list))
         return NULL;
     if (!cagd_pass(r, ":") && !cagd_pass(r, ","))
         cagd_pass(r, ";");
@@ -167,12 +184,7 @@ static const cagd_tree *quantified(cagd_reader *r)
     const cagd_tree *body = cagd_read_truth(r);
     r->bound = bound.next;
     r->depth--;
-    if (body == NULL)
-        return NULL;
-    cagd_tree *t = cagd_new_of(r, kind, from, 3, (const cagd_tree *[]){low, high, body});
-    if (t != NULL)
-        t->head = head;
-    return t;
+    return body != NULL ? over_list(r, kind, from, head, &list, body) : NULL;
 }
 
 /* \mathbb{R}, passed. */
@@ -343,6 +355,23 @@ const cagd_tree *cagd_read_members(cagd_reader *r)
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
 }
 
+/* Whether "for even", "for all odd" and the like come next, with a letter behind them. */
+static int even_or_odd_follows(cagd_reader *r, const char *const words[])
+{
+    const cagd_token *here = r->token;
+    const char *said = cagd_read_words(r);
+    int is = said != NULL && cagd_parity_of_words(said) != 0 && r->token->kind == CAGD_TOKEN_LETTER,
+        n = is ? (int)strlen(said) : 0;
+    while (n > 0 && said[n - 1] != ' ')
+        n--;
+    const char *before = is ? cagd_text_of(said, n > 0 ? n - 1 : 0) : NULL;
+    int is_known = before != NULL && before[0] == '\0';
+    for (int k = 0; before != NULL && words[k] != NULL; k++)
+        is_known |= is_said(before, words[k]);
+    r->token = here;
+    return is_known;
+}
+
 /* What follows is what is supposed: "if", \forall of names that have a meaning, a bracket with a relation in it, names and \in. */
 static int pass_supposed(cagd_reader *r)
 {
@@ -351,6 +380,8 @@ static int pass_supposed(cagd_reader *r)
                                         "as long as", NULL};
     const cagd_token *here = r->token;
     cagd_pass(r, ",");
+    if (cagd_next_is_parity(r) || even_or_odd_follows(r, words))
+        return 1;
     if (pass_words(r, words) || cagd_pass(r, "\\forall") || cagd_next_is_member(r) || cagd_is_truth_in_brackets(r))
         return 1;
     r->token = here;
@@ -361,6 +392,23 @@ static int pass_supposed(cagd_reader *r)
 static const cagd_tree *supposed(cagd_reader *r)
 {
     const cagd_token *here = r->token;
+    const char *said = cagd_read_words(r);
+    if (said != NULL) { /* for even n, for odd n \ge 3 */
+        cagd_relation relation;
+        int parity = cagd_parity_of_words(said);
+        const cagd_tree *both[2] = {parity != 0 ? cagd_is_of_parity(r, parity) : NULL, NULL};
+        const cagd_token *letter = r->token;
+        if (parity == 0)
+            r->token = here, cagd_refuse_token(r, "'%s' is not understood here", said);
+        if (both[0] == NULL)
+            return NULL;
+        r->token++;
+        if (!cagd_relation_next(r, &relation))
+            return both[0];
+        r->token = letter;
+        both[1] = cagd_read_alternatives(r);
+        return cagd_new_of(r, CAGD_ALL, here->from, 2, both);
+    }
     int bracket = cagd_is_truth_in_brackets(r) && cagd_next_is(r, "(");
     r->token += bracket;
     if (cagd_next_is_member(r) && bracket) {
@@ -391,7 +439,9 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     int from = first->from, begins_with_if = pass_words(r, if_words);
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return quantified(r);
+    r->premises += begins_with_if;
     const cagd_tree *a = cagd_read_alternatives(r), *b = a;
+    r->premises -= begins_with_if;
     if (a == NULL)
         return NULL;
     second = r->token;
@@ -412,9 +462,10 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
         return NULL;
     second = r->token;
     b = implies                  ? cagd_read_truth(r)
-        : implied                ? supposed(r)
+        : implied                ? (r->premises++, supposed(r))
         : cagd_next_is_member(r) ? cagd_read_members(r)
                                  : cagd_read_alternatives(r);
+    r->premises -= implied;
     if (b == NULL || (!implies && refuse_dots(r, second)))
         return NULL;
     const cagd_tree *pair[2] = {implied ? b : a, implied ? a : b};

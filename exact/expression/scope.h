@@ -24,6 +24,10 @@ typedef struct cagd_variable {
     int whole;     /* runs over the whole numbers from low to high; every number from low on when high is NULL */
     const cagd_tree *low, *high;
     int low_open, high_open; /* < and not <= */
+    long step; /* of whole numbers: low, low + step, ... up to high, which has to be one of them; 0 is 1 */
+    const cagd_tree *const
+        *listed; /* the whole numbers, one by one, or NULL; low and high are then the first and the last of the list */
+    int listed_count;
     const struct cagd_variable *next;
 } cagd_variable;
 

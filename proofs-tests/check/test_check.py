@@ -1495,6 +1495,35 @@ class RowsAndLists(unittest.TestCase):
                     self.assertFalse([s for s in ("mm]", "ex]", "em]", "pt ]", "jot]", "skip]", "*") if s in page], page)
 
 
+    def test_lists_of_numbers_are_the_numbers_that_they_show(self):
+        """(-x)^n = x^n for the even ones alone: in :for:, behind the formula, under a quantifier, in a definition, in cases."""
+        even = ("n = 2, 4, \\dots, 8", "n = 0, 2, 4, \\ldots, 10", "n = 8, 6, \\dots, 0", "n = 0(2)8", "n = 2, 4, 8", "n \\in \\{0, 2, 4\\}", "n \\in \\{2, 4, \\dots, 8\\}", "n = 1..8, n \\text{ even}", "n \\text{ even}, n = 1..8",
+                "n = 1..8 \\text{ even}", "\\text{for even } n = 1..8", "m = 1..4, n = 2m")
+        odd = ("n = 1, 3, \\dots, 7", "n = 1(2)7", "n = 1, 3, 7", "n \\in \\{1, 3, \\dots, 9\\}", "n = 1..8, n\\text{ odd}", "n = 2, 4, 5", "n = 2, 3, 4", "n = 2, 3, \\dots, 8", "n = 8, 7, \\dots, 1", "n = 0..1", "n = 0(1)1", "n \\in \\{3\\}")
+        for ranges in even + odd:
+            with self.subTest(ranges=ranges):
+                self.assertEqual(verdict("(-x)^n = x^n", ranges)["verdict"], "holds" if ranges in even else "fails")
+                if "even" not in ranges and "odd" not in ranges and "m =" not in ranges:
+                    self.assertEqual(verdict(f"(-x)^n = x^n, \\quad {ranges}", "x \\in \\mathbb{R}")["verdict"], "holds" if ranges in even else "fails")
+        for printed, expected, *rest in (("(-x)^n = x^n \\text{ for even } n", "holds"), ("(-x)^n = x^n \\text{ for odd } n", "fails"), ("(-x)^n = x^n, \\quad n \\text{ even}", "holds"), ("(-x)^n = -x^n \\text{ if $n$ is odd}", "holds"),
+                                         ("(-x)^n = -x^n \\text{ for odd } n \\ge 3", "holds"), ("\\text{if } n \\text{ is even} \\text{ then } (-x)^n = x^n", "holds"), ("\\text{if } n \\text{ is odd} \\text{ then } (-x)^n = x^n", "fails"),
+                                         ("(-x)^n = \\begin{cases} x^n, & n \\text{ even}, \\\\ -x^n, & n \\text{ odd} \\end{cases}", "holds"), ("(-x)^n = \\begin{cases} x^n, & n \\text{ odd}, \\\\ -x^n, & \\text{otherwise} \\end{cases}", "fails"),
+                                         ("\\forall i \\in \\{0, 2, \\dots, 8\\}: (-x)^i = x^i", "holds"), ("\\forall i \\in \\{0, 2, 4\\}: (-x)^i = x^i", "holds"), ("\\forall i \\in \\{0, 2, \\dots, 2n\\}: (-x)^i = x^i", "holds"), ("\\forall i \\in \\{1, 3, \\dots, 2n+1\\}: 1^i = (-1)^i", "fails"),
+                                         ("\\exists i \\in \\{1, 2, 4\\}: (-1)^i = -1", "holds"), ("\\exists i \\in \\{0, 2, 4\\}: (-1)^i = -1", "fails"), ("B_i^n(0) B_i^n(1) = 0, \\quad i = 0, n", "holds", "n = 1..4"), ("B_i^n(0) + B_i^n(1) = 0, \\quad i = 1, \\dots, n-2, n-1", "holds", "n = 3..4"),
+                                         ("B_i^n(0) + B_i^n(1) = 0, \\quad i = 1, \\dots, n-1, n", "fails", "n = 3..4"), ("(-x)^i = x^i, \\quad i = 0, 2, \\dots, 2n", "holds"), ("(-x)^i = x^i, \\quad i = 0, 2, \\dots, n", "undecided"), ("x^i = \\begin{cases} 1, & i = 0, \\\\ x^i, & i = 1, \\dots, n \\end{cases}, \\quad i = 0, \\dots, n", "holds"),
+                                         ("x^i = \\begin{cases} 1, & i = 0, 1, \\\\ x^i, & \\text{otherwise} \\end{cases}, \\quad i = 0, \\dots, n", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, *(rest or ("n = 1..4",)))["verdict"], expected)
+        for i, expected in ((2, "x^2"), (3, "0"), (4, "x^4"), (5, "-x^5"), (7, "-x^7")):
+            with self.subTest(i=i):
+                let = "g_i(t) = t^i, \\quad i = 0, 2, 4\ng_i(t) = -t^i, \\quad i = 5, 7, \\dots, 9\ng_i(t) = 0\n"
+                self.assertEqual([verdict(f"g_{i}(x) = {right}", "n = 1", let)["verdict"] for right in (expected, f"{expected} + 1")], ["holds", "fails"])
+        self.assertIn("n = 2, 4, …, 8", verdict("(-x)^n = x^n", "n = 2, 4, \\dots, 8")["scope"])
+        self.assertIn("n even", verdict("(-x)^n = x^n", "n = 1..8, n \\text{ even}")["scope"])
+        for proposal, expected in (("m = 1, 2, \\dots, \\quad n = 2m", "holds"), ("m = 0, 1, \\dots, \\quad n = 2m + 1", "fails")):
+            self.assertEqual(verdict("(-x)^n = x^n", proposal)["verdict"], expected)
+
+
 class Mistakes(unittest.TestCase):
     """One line, the line of the file, and a caret; nothing is decided."""
 
