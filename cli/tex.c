@@ -76,7 +76,7 @@ static const struct {
     {"cos", "cos"}, {"tan", "tan"}, {"sec", "sec"}, {"arctan", "arctan"}, {"iota", "ι"}, {"csc", "csc"}, {"det", "det"}, {"lim", "lim"}, {"deg", "deg"}, {"ln", "ln"},
     {"log", "log"}, {"exp", "exp"}, {"sup", "sup"}, {"inf", "inf"}, {"arcsin", "arcsin"}, {"arccos", "arccos"},
     {"left", ""}, {"right", ""}, {"big", ""}, {"Big", ""}, {"bigl", ""}, {"bigr", ""}, {"Bigl", ""}, {"Bigr", ""},
-    {"bigm", " "}, {"Bigm", " "},
+    {"bigm", " "}, {"Bigm", " "}, {"rm", ""}, {"bf", ""}, {"it", ""}, {"cal", ""}, {"sf", ""}, {"notag", ""}, {"nonumber", ""},
     {"displaystyle", ""}, {"limits", ""}, {"nolimits", ""}, {"textstyle", ""}, {"Re", "Re"}, {"bot", "⊥"},
     {"longrightarrow", "⟶"}, {"rightarrow", "→"}, {"star", "*"}, {"ast", "*"}, {"Longleftrightarrow", "⟺"}};
 
@@ -84,7 +84,8 @@ static const struct {
 static const struct {
     const char *word, *after;
 } faces[] = {{"mathbf", ""}, {"boldsymbol", ""}, {"mathrm", ""}, {"mathit", ""}, {"text", ""}, {"mathcal", ""},
-             {"mathfrak", ""}, {"operatorname", ""}, {"textbf", ""}, {"mathbb", ""}, {"emph", ""}, {"textit", ""},
+             {"mathfrak", ""}, {"operatorname", ""}, {"bm", ""}, {"pmb", ""}, {"mathsf", ""}, {"mathscr", ""}, {"mathtt", ""},
+             {"mbox", ""}, {"hbox", ""}, {"textrm", ""}, {"textnormal", ""}, {"textup", ""}, {"substack", ""}, {"textbf", ""}, {"mathbb", ""}, {"emph", ""}, {"textit", ""},
              {"hat", "\xCC\x82"}, {"widehat", "\xCC\x82"}, {"bar", "\xCC\x84"}, {"overline", "\xCC\x84"},
              {"tilde", "\xCC\x83"}, {"widetilde", "\xCC\x83"}, {"dddot", "\xE2\x83\x9B"}, {"dot", "\xCC\x87"}, {"ddot", "\xCC\x88"},
              {"vec", "\xE2\x83\x97"}, {"underline", "\xCC\xB2"}};
@@ -309,6 +310,12 @@ static int has_limits(const char *word)
     return is_sum(word) || strcmp(word, "lim") == 0 || strcmp(word, "max") == 0 || strcmp(word, "min") == 0;
 }
 
+/* The bytes of the sign of a differential at s, d or ∂; 0 where there is none. */
+static size_t differential(const char *s)
+{
+    return s[0] == 'd' ? 1 : strncmp(s, "∂", strlen("∂")) == 0 ? strlen("∂") : 0;
+}
+
 /* Behind the end of a row: the star and the space to the next one belong to it, \\*, \\[3mm]. */
 static const char *behind_break(const char *s)
 {
@@ -344,12 +351,14 @@ static const char *command(const char *s, struct text *out)
     if ((n == 4 && strncmp(s, "frac", 4) == 0) ||
         (n == 5 && (strncmp(s, "tfrac", 5) == 0 || strncmp(s, "dfrac", 5) == 0))) {
         struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
+        size_t sign = differential(a.at), behind = sign > 0 && is_attached(a.at + sign) ? character(a.at + sign) : 0;
+        int is_derivative = sign > 0 && a.at[sign + behind] == '\0' && differential(b.at) == sign && is_simple(b.at);
         put_wrapped(out, a.at);
-        puts_(out, is_one_factor(b.at) ? "/" : "/(");
+        puts_(out, is_derivative || is_one_factor(b.at) ? "/" : "/(");
         puts_(out, b.at);
-        puts_(out, is_one_factor(b.at) ? "" : ")");
+        puts_(out, is_derivative || is_one_factor(b.at) ? "" : ")");
         if (begins_factor(e))
-            puts_(out, " · ");
+            puts_(out, is_derivative ? " " : " · ");
         free(a.at), free(b.at);
         return e;
     }
@@ -506,6 +515,8 @@ static const char *formula(const char *s, struct text *out, char stop)
             s++;
         } else if (*s == '\'') {
             puts_(out, "′"), s++;
+        } else if (*s == '$') { /* around a formula in a text */
+            s++;
         } else if (*s == '~') {
             puts_(out, " "), s++;
         } else if (*s == '&') {

@@ -228,6 +228,17 @@ static int end_of_entry(const struct document *d, int at, int stop)
     return end;
 }
 
+/* Whether a dollar sign stands outside of groups; in \text{if $x > 0$} it belongs to the text. */
+static int has_dollar(const char *text, int length)
+{
+    for (int k = 0, depth = 0; k < length; k++) {
+        depth += (text[k] == '{') - (text[k] == '}');
+        if (text[k] == '$' && depth == 0)
+            return 1;
+    }
+    return 0;
+}
+
 /* Without blanks and dollar signs around. */
 static void strip(const struct document *d, int *from, int *to)
 {
@@ -242,7 +253,7 @@ static void strip(const struct document *d, int *from, int *to)
          (d->text[*from + 1] == '[' && d->text[*to - 1] == ']')))
         *from += 2, *to -= 2; /* \( \) and \[ \] */
     if (*to - *from >= 2 && d->text[*from] == '$' && d->text[*to - 1] == '$' &&
-        memchr(d->text + *from + 1, '$', (size_t)(*to - *from - 2)) == NULL)
+        !has_dollar(d->text + *from + 1, *to - *from - 2))
         ++*from, --*to;
 }
 
@@ -461,7 +472,7 @@ static int is_list(const char *text, int from, int to)
  * where they cannot. */
 static int ranges_at(const char *text, int from, int at, int *to)
 {
-    static const char *const words[] = {"\\text{", "\\mbox{", "\\textrm{", "\\forall"};
+    static const char *const words[] = {"\\text{", "\\mbox{", "\\hbox{", "\\textrm{", "\\textnormal{", "\\forall"};
     if (text[at] == ',')
         return at + 1;
     for (size_t k = 0; k < sizeof words / sizeof *words && at > from; k++)

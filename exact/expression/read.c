@@ -127,7 +127,7 @@ const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script)
 
 const char *cagd_read_words(cagd_reader *r)
 {
-    if (!cagd_next_is(r, "\\text") && !cagd_next_is(r, "\\mbox") && !cagd_next_is(r, "\\textrm"))
+    if (!cagd_next_is(r, "\\text"))
         return NULL;
     r->token++;
     if (!cagd_expect(r, "{", "\\text"))
@@ -136,8 +136,8 @@ const char *cagd_read_words(cagd_reader *r)
     while (r->token->kind != CAGD_TOKEN_END && !cagd_next_is(r, "}"))
         r->token++;
     int to = r->token->from;
-    while (to > from && r->text[to - 1] == ' ')
-        to--;
+    while (to > from && strchr(" ~\n", r->text[to - 1]) != NULL)
+        to -= to - from > 1 && r->text[to - 2] == '\\' ? 2 : 1;
     const char *words = cagd_text_of(r->text + from, to - from);
     cagd_pass(r, "}");
     return words != NULL ? words : "";
@@ -371,11 +371,36 @@ static const char *environment_of_cases(cagd_reader *r, int behind_brace)
     return NULL;
 }
 
+/* Whether a text says one of these; commas and the like around it do not count, nor does how it begins. */
+static int says_one_of(const char *text, const char *const words[])
+{
+    while (*text == ' ' || *text == ',')
+        text++;
+    size_t n = strlen(text);
+    while (n > 0 && strchr(" ,.;:", text[n - 1]) != NULL)
+        n--;
+    for (int k = 0; words[k] != NULL; k++)
+        if (strlen(words[k]) == n &&
+            (n == 0 || ((text[0] | ' ') == words[k][0] && memcmp(text + 1, words[k] + 1, n - 1) == 0)))
+            return 1;
+    return 0;
+}
+
+/* What stands at the end of a row besides its value or its condition. */
+static void pass_punctuation(cagd_reader *r)
+{
+    if (!cagd_pass(r, ",") && !cagd_pass(r, ";"))
+        cagd_pass(r, ".");
+}
+
 /* The cases, the word \begin being passed, and a brace before it or not. */
 static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
 {
-    static const char *const otherwise[] = {"otherwise", "else", "otherwise.", "elsewhere", NULL};
-    static const char *const when[] = {"if", "for", "when", "where", "", NULL};
+    static const char *const otherwise[] = {
+        "otherwise", "else", "elsewhere", "in all other cases", "in other cases", "in the other cases", NULL};
+    static const char *const when[] = {
+        "if",      "for",       "when",     "where",   "whenever", "as", "with", "provided", "provided that",
+        "for all", "for every", "for each", "for any", "",         NULL};
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0;
     const char *name = environment_of_cases(r, behind_brace);
@@ -391,16 +416,18 @@ static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
         list[count] = cagd_read_sum(r);
         if (list[count++] == NULL)
             return NULL;
-        cagd_pass(r, ",");
+        pass_punctuation(r);
         cagd_pass(r, "&");
         if (cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end"))
             return cagd_refuse_token(r, "expected a condition behind '&', or \\text{otherwise}, not %s",
                                      cagd_name_of_next(r));
         const cagd_token *at = r->token;
         const char *words = cagd_read_words(r);
-        if (words != NULL && is_one_of(words, otherwise))
+        if (words != NULL && says_one_of(words, otherwise)) {
+            pass_punctuation(r);
             continue;
-        if (words != NULL && !is_one_of(words, when)) {
+        }
+        if (words != NULL && !says_one_of(words, when)) {
             r->token = at;
             return cagd_refuse_token(r, "'%s' is not understood; expected 'if' or 'otherwise'", words);
         }
@@ -409,8 +436,7 @@ static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
         r->lists--, r->premises--;
         if (list[count++] == NULL)
             return NULL;
-        if (!cagd_pass(r, ","))
-            cagd_pass(r, ".");
+        pass_punctuation(r);
     } while (cagd_pass(r, "\\\\"));
     if (!cagd_expect(r, "\\end", "the cases") || !cagd_environment(r, name))
         return cagd_refuse_token(r, "expected \\end{%s}", name);

@@ -27,6 +27,7 @@ static const struct {
     {"\\enskip", ""}, {"\\hfill", ""}, {"\\strut", ""}, {"\\mathstrut", ""}, {"\\relax", ""}, {"\\boxed", ""}, {"\\ensuremath", ""},
     {"\\middle", ""}, {"\\displaystyle", ""}, {"\\textstyle", ""}, {"\\limits", ""}, {"\\nolimits", ""}, {"\\quad", ""},
     {"\\qquad", ""}, {"\\nonumber", ""}, {"\\notag", ""}, {"\\cr", "\\\\"}, {"\\tabularnewline", "\\\\"},
+    {"\\mbox", "\\text"}, {"\\hbox", "\\text"}, {"\\textrm", "\\text"}, {"\\textnormal", "\\text"}, {"\\textup", "\\text"}, {"\\textit", "\\text"},
     {"\\,", ""}, {"\\;", ""}, {"\\:", ""}, {"\\!", ""}, {"\\ ", ""}, {"\\>", ""}, {"~", ""},
     {"\u00a0", ""}, {"\u2002", ""}, {"\u2003", ""}, {"\u2009", ""}, {"\u200a", ""}, {"\u202f", ""}, {"\u3000", ""},
     {"⩽", "\\le"}, {"⩾", "\\ge"}, {"≦", "\\le"}, {"≧", "\\ge"}, {"⋅", "*"}, {"∗", "*"}, {"⋯", "\\dots"}, {"⟹", "\\Rightarrow"},
@@ -345,11 +346,70 @@ static void simplify(cagd_token list[], int *count)
     *count = to - 1;
 }
 
+/* Words of a piece of text in which formulas stand between dollar signs, as tokens of \text{...}; commas and the like at its beginning by themselves. */
+static void put_words(const char *text, int from, int to, cagd_token list[], int *count)
+{
+    while (to > from && (isspace((unsigned char)text[to - 1]) || text[to - 1] == '~'))
+        to--;
+    for (; from < to && (isspace((unsigned char)text[from]) || strchr(",;.~", text[from]) != NULL); from++)
+        if (strchr(",;.", text[from]) != NULL && *count < CAGD_MOST_TOKENS)
+            list[(*count)++] = (cagd_token){CAGD_TOKEN_SIGN, cagd_text_of(text + from, 1), from, from + 1};
+    const char *words = cagd_text_of(text + from, to - from);
+    if (from == to || words == NULL || *count + 4 > CAGD_MOST_TOKENS)
+        return;
+    list[(*count)++] = (cagd_token){CAGD_TOKEN_WORD, "\\text", from, to};
+    list[(*count)++] = (cagd_token){CAGD_TOKEN_SIGN, "{", from, to};
+    list[(*count)++] = (cagd_token){CAGD_TOKEN_WORD, words, from, to};
+    list[(*count)++] = (cagd_token){CAGD_TOKEN_SIGN, "}", to, to};
+}
+
+/* The end of the group of a text, which begins behind `at` with a brace, if there are dollar signs in it; -1 where there are none. */
+static int end_of_text_with_formulas(const char *text, int at, int to)
+{
+    int depth = 0, has = 0;
+    while (at < to && isspace((unsigned char)text[at]))
+        at++;
+    for (int k = at; k < to && text[at] == '{'; k++) {
+        k += text[k] == '\\';
+        depth += (text[k] == '{') - (text[k] == '}');
+        has |= text[k] == '$';
+        if (depth == 0)
+            return has ? k : -1;
+    }
+    return -1;
+}
+
+/* \mathrm{otherwise}, {\rm if}: words, and no name. */
+static void read_roman_words(cagd_token list[], int count)
+{
+    static const char *const words[] = {"if",    "otherwise", "else", "elsewhere", "for",  "when",
+                                        "where", "and",       "or",   "then",      "even", "odd"};
+    for (int k = 0; k + 2 < count; k++) {
+        char said[16];
+        int n = 0, m = k + 2,
+            is_index =
+                k > 0 && (strchr("_^", list[k - 1].word[0]) != NULL ||
+                          (k > 1 && strcmp(list[k - 1].word, "{") == 0 && strchr("_^", list[k - 2].word[0]) != NULL));
+        if ((strcmp(list[k].word, "\\mathrm") != 0 && strcmp(list[k].word, "\\mathit") != 0 &&
+             strcmp(list[k].word, "\\operatorname") != 0) ||
+            strcmp(list[k + 1].word, "{") != 0 || is_index)
+            continue;
+        for (; m < count && list[m].kind == CAGD_TOKEN_LETTER && n + 1 < (int)sizeof said; m++)
+            said[n++] = list[m].word[0];
+        said[n] = '\0';
+        m += m < count && strchr(",.;", list[m].word[0]) != NULL;
+        for (size_t w = 0; w < sizeof words / sizeof *words && m < count && strcmp(list[m].word, "}") == 0; w++)
+            if (strcmp(words[w], said) == 0)
+                list[k].word = "\\text";
+    }
+}
+
 cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *error)
 {
     int count = 0, room = 2 * (to - from < CAGD_MOST_TOKENS ? to - from : CAGD_MOST_TOKENS) + 2 * LONGEST_SCRIPT + 1;
     cagd_token *list = cagd_region_array(room, 1, sizeof *list);
     int bar[MOST_BARS], bars = 0; /* that end what \left. begins */
+    int text_end = -1;            /* of a text in which formulas stand between dollar signs */
     for (int at = from; list != NULL && at < to;) {
         const char *s = text + at;
         int n = to - at;
@@ -360,6 +420,18 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
         if (s[0] == '%') {
             while (at < to && text[at] != '\n')
                 at++;
+            continue;
+        }
+        if (at == text_end) {
+            text_end = -1, at++;
+            continue;
+        }
+        if (text_end >= 0 && s[0] == '$') { /* behind a formula of the text */
+            int stop = at + 1;
+            while (stop < text_end && text[stop] != '$')
+                stop++;
+            put_words(text, at + 1, stop, list, &count);
+            at = stop + (stop < text_end);
             continue;
         }
         if (script_at(s, n) >= 0 && count < CAGD_MOST_TOKENS) {
@@ -399,6 +471,17 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
         for (int k = 0; k < bars; k++)
             t.word = bar[k] == t.from ? "\\right|" : t.word;
         int behind = behind_meaningless(text, s, t.to - t.from, at, to);
+        if (strcmp(t.word, "\\text") == 0 && text_end < 0 &&
+            (text_end = end_of_text_with_formulas(text, at, to)) >= 0) {
+            int begin = at, stop;
+            while (text[begin] != '{')
+                begin++;
+            for (stop = begin + 1; text[stop] != '$'; stop++)
+                ;
+            put_words(text, begin + 1, stop, list, &count);
+            at = stop + 1;
+            continue;
+        }
         if (strcmp(t.word, "\\\\") == 0 && (at = t.to = behind_break(text, at, to, error)) < 0)
             return NULL;
         behind = behind > at ? behind : at;
@@ -418,5 +501,6 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
     }
     list[count] = (cagd_token){.kind = CAGD_TOKEN_END, .word = "", .from = to, .to = to};
     simplify(list, &count);
+    read_roman_words(list, count);
     return list;
 }

@@ -1494,7 +1494,6 @@ class RowsAndLists(unittest.TestCase):
                     page = check(document(printed, "n = 1", self.LETTERS)).stdout
                     self.assertFalse([s for s in ("mm]", "ex]", "em]", "pt ]", "jot]", "skip]", "*") if s in page], page)
 
-
     def test_lists_of_numbers_are_the_numbers_that_they_show(self):
         """(-x)^n = x^n for the even ones alone: in :for:, behind the formula, under a quantifier, in a definition, in cases."""
         even = ("n = 2, 4, \\dots, 8", "n = 0, 2, 4, \\ldots, 10", "n = 8, 6, \\dots, 0", "n = 0(2)8", "n = 2, 4, 8", "n \\in \\{0, 2, 4\\}", "n \\in \\{2, 4, \\dots, 8\\}", "n = 1..8, n \\text{ even}", "n \\text{ even}, n = 1..8",
@@ -1522,6 +1521,29 @@ class RowsAndLists(unittest.TestCase):
         self.assertIn("n even", verdict("(-x)^n = x^n", "n = 1..8, n \\text{ even}")["scope"])
         for proposal, expected in (("m = 1, 2, \\dots, \\quad n = 2m", "holds"), ("m = 0, 1, \\dots, \\quad n = 2m + 1", "fails")):
             self.assertEqual(verdict("(-x)^n = x^n", proposal)["verdict"], expected)
+
+    def test_words_in_cases_and_behind_formulas(self):
+        """In boxes and in upright letters, with a comma, full stop or semicolon, and with formulas between dollar signs inside."""
+        for otherwise in ("\\text{otherwise,}", "\\text{otherwise},", "\\text{otherwise}.", "\\text{otherwise;}", "\\text{otherwise};", "\\text{Otherwise.}", "\\mbox{otherwise.}", "\\hbox{otherwise.}", "\\textrm{else.}", "\\text{ otherwise }",
+                          "\\mathrm{otherwise}", "{\\rm otherwise}", "\\mathrm{otherwise.}", "\\operatorname{otherwise}", "\\textnormal{elsewhere}", "\\text{in all other cases}", "\\text{if $x<0$}", "\\text{if $x<0$.}", "\\mbox{if $x<0$}.", "\\text{for } x<0;", "\\text{if~}x<0", "\\mathrm{if}\\ x<0", "{\\rm if}~x<0",
+                          "\\hbox{if }x<0", "\\text{provided that } x < 0", "\\text{when $x < 0$ and $x < 1$,}", "\\textit{if } x < 0"):
+            for printed in (f"\\begin{{cases}} x & \\text{{if }} x \\ge 0, \\\\ -x & {otherwise} \\end{{cases}}", f"\\left\\{{\\begin{{array}}{{ll}} x, & x \\ge 0; \\\\ -x, & {otherwise} \\end{{array}}\\right."):
+                with self.subTest(printed=printed):
+                    self.assertEqual([verdict(f"{printed} = {right}", "n = 1")["verdict"] for right in ("|x|", "x")], ["holds", "fails"])
+        page = check(document("|x| = \\begin{cases} x & \\mbox{if $x \\ge 0$} \\\\ -x & {\\rm otherwise} \\end{cases}", "n = 1")).stdout
+        self.assertFalse([s for s in ("mbox", "$", "rm") if s in page], page)
+        for printed, expected in (("x^2 \\ge 1 \\text{ if $x \\ge 1$ or $x \\le -1$}", "holds"), ("x^2 \\ge 1 \\text{ if $x \\ge 0$ or $x \\le -1$}", "fails"), ("\\text{If $x \\ge 1$, then } x^2 \\ge 1", "holds"), ("\\text{If $x \\ge 0$, then } x^2 \\ge 1", "fails"), ("x^2 \\ge 1 \\hbox{ for all $x \\ge 1$}", "holds"), ("x^2 \\ge 1 \\textnormal{ for all $x \\ge 0$}", "fails"),
+                                  ("$x^2 \\ge 1 \\text{ if $x \\ge 1$}$", "holds"), ("$x^2 \\ge 1 \\text{ if $x \\ge 0$}$", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1")["verdict"], expected)
+        for words in ("\\text{if not}", "\\text{unless}", "\\mathrm{unless}", "\\text{for some}"):
+            r = check(document(f"\\begin{{cases}} x & {words}\\ x \\ge 0, \\\\ -x & \\text{{otherwise}} \\end{{cases}} = |x|", "n = 1"))
+            self.assertEqual((r.returncode, r.stdout), (2, ""), words)
+        self.assertIn("\\mathrm{if} is not defined", check(document("x_{\\mathrm{if}} = 1", "n = 1")).stderr)
+
+    def test_how_derivatives_are_shown(self):
+        for printed, shown in (("\\frac{d}{dt} F(t) = 2t", "d/dt F(t)"), ("\\frac{\\partial^2}{\\partial t^2} F(t) = 2", "∂²/∂t² F(t)"), ("\\frac{\\mathrm{d}}{\\mathrm{d}x} x^2 = 2x", "d/dx x²")):
+            self.assertIn(shown, check(document(printed, "n = 1", "t \\in \\mathbb{R}\n")).stdout)
 
 
 class Mistakes(unittest.TestCase):
