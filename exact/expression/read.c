@@ -13,8 +13,11 @@ int cagd_reader_open(cagd_reader *r, const cagd_scope *scope, const char *text, 
 {
     *error = (cagd_reading_error){0};
     *r = (cagd_reader){.scope = scope, .text = text, .error = error};
-    r->token = cagd_tokens(text, from, to, error);
-    return r->token != NULL;
+    cagd_token *list = cagd_tokens(text, from, to, error);
+    if (list != NULL)
+        cagd_open_rows(list);
+    r->token = list;
+    return list != NULL;
 }
 
 int cagd_next_is(const cagd_reader *r, const char *word)

@@ -38,6 +38,9 @@ enum { CAGD_MOST_NODES = 20000 };
 int cagd_reader_open(cagd_reader *r, const cagd_scope *scope, const char *text, int from, int to,
                      cagd_reading_error *error);
 
+/* Formulas below one another, with which the tokens begin, stand side by side with commas between. */
+void cagd_open_rows(cagd_token list[]);
+
 /* Whether the next token is that word; whether it was, and then it is passed; and the same or an error. */
 int cagd_next_is(const cagd_reader *r, const char *word);
 int cagd_pass(cagd_reader *r, const char *word);

@@ -317,12 +317,25 @@ static const char *function_in_braces(const cagd_token *t)
     return NULL;
 }
 
+/* Whether {} behind it is there for the space. */
+static int stands_before_space(const char *word)
+{
+    static const char *const words[] = {"=", "<", ">", "\\le", "\\ge", "\\ne", ":=", "+", "-", "&", "\\\\", ","};
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (strcmp(words[k], word) == 0)
+            return 1;
+    return 0;
+}
+
 static void simplify(cagd_token list[], int *count)
 {
     enum { OF_FUNCTION = 6 }; /* \mathrm { s i n } */
     int to = 0;
     for (int k = 0; k <= *count; k++, to++) {
         const char *word;
+        while (k + 1 < *count && strcmp(list[k].word, "{") == 0 && strcmp(list[k + 1].word, "}") == 0 &&
+               (to == 0 || stands_before_space(list[to - 1].word)))
+            k += 2;
         list[to] = list[k];
         if (k + 2 <= *count && strcmp(list[k].word, "{") == 0 && relation_not(list[k + 1].word) != NULL &&
             strcmp(list[k + 2].word, "}") == 0) {

@@ -1545,6 +1545,31 @@ class RowsAndLists(unittest.TestCase):
         for printed, shown in (("\\frac{d}{dt} F(t) = 2t", "d/dt F(t)"), ("\\frac{\\partial^2}{\\partial t^2} F(t) = 2", "∂²/∂t² F(t)"), ("\\frac{\\mathrm{d}}{\\mathrm{d}x} x^2 = 2x", "d/dx x²")):
             self.assertIn(shown, check(document(printed, "n = 1", "t \\in \\mathbb{R}\n")).stdout)
 
+    def test_formulas_below_one_another(self):
+        """As definitions and as a statement; rows that go on with the one before are no formulas of their own, and values with conditions are none."""
+        three = ("b_0(t) = (1-t)^2", "b_1(t) = 2t(1-t)", "b_2(t) = t^2")
+        for begin, end, equal in (("\\begin{cases}", "\\end{cases}", "="), ("\\left\\{\\begin{array}{l}", "\\end{array}\\right.", "="), ("\\left\\{ \\begin{array}{rcl}", "\\end{array} \\right.", "&=&"), ("\\begin{aligned}", "\\end{aligned}", "&="), ("\\left\\{\\begin{aligned}", "\\end{aligned}\\right.", "&="), ("\\begin{gathered}", "\\end{gathered}", "="), ("\\begin{split}", "\\end{split}", "&=")):
+            for comma in (", \\\\", "\\\\[2mm]", "; \\\\*"):
+                rows = f"{begin} {comma.join(three).replace('=', equal)}. {end}"
+                with self.subTest(rows=rows):
+                    self.assertEqual([verdict(f"b_0(t) + b_1(t) + b_2(t) = {right}", "n = 1", rows + "\nt \\in \\mathbb{R}\n")["verdict"] for right in ("1", "2")], ["holds", "fails"])
+                    let = "\n".join(three) + "\nt, c \\in \\mathbb{R}\n"
+                    self.assertEqual(verdict(f"{begin} b_0(0) {equal} 1{comma} b_1(t) + b_0(t) {equal} 1 - b_2(t) {end}", "n = 1", let)["verdict"], "holds")
+                    self.assertEqual(verdict(f"{begin} b_0(0) {equal} 1{comma} b_1(t) + b_0(t) {equal} 1 + b_2(t) {end}", "n = 1", let)["verdict"], "fails")
+        for printed, expected in (("\\begin{aligned} (x+y)^2 &= x^2 + 2xy \\\\ &\\quad + y^2 \\end{aligned}", "holds"), ("\\begin{aligned} (x+y)^2 = {}& x^2 + 2xy \\\\ & + y^2 \\\\ = {}& x(x+2y) + y^2 \\end{aligned}", "holds"), ("\\begin{split} x^2 &= x \\cdot \\\\ & x \\end{split}", "holds"), ("\\begin{aligned} &x^2 \\ge 0 \\\\ &x^2 + 1 > 0 \\end{aligned}", "holds"),
+                                  ("\\begin{gathered} x = \\left(x \\\\ + y - y\\right) \\\\ y = y + x - x \\end{gathered}", "holds"), ("\\begin{cases} x & x \\ge 0 \\\\ -x & x < 0 \\end{cases} = |x|", "holds"), ("\\begin{cases} x, & y = 1, \\\\ 2x, & y \\ne 1 \\end{cases} = x", "fails"),
+                                  ("\\begin{cases} x + y = 2 \\\\ x - y = 0 \\end{cases} \\Rightarrow x = 1", "holds"), ("\\begin{cases} x + y = 2 \\\\ x - y = 0 \\end{cases} \\iff x = 1, y = 1", "holds"), ("\\begin{cases} x + y = 2 \\\\ x - y = 1 \\end{cases} \\Rightarrow x = 1", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1")["verdict"], expected)
+
+    def test_a_definition_behind_the_condition_of_another_one(self):
+        """A condition on a function that is known stays one."""
+        let = "g_{0,m}(t) = (1-t)^m, g_{i,m}(t) = \\binom{m}{i} t^i (1-t)^{m-i}, \\quad i = 1, 2, \\dots, m-1, g_{m,m}(t) = t^m\n"
+        self.assertEqual(verdict("\\sum_{i=0}^n g_{i,n}(x) = 1", "n = 2..4", let)["verdict"], "holds")
+        self.assertEqual(verdict("\\sum_{i=0}^n g_{i,n}(x) = 1", "n = 2..4", let.replace("= t^m", "= t"))["verdict"], "fails")
+        self.assertEqual(verdict("h(2) = 0", "n = 1", "h(t) = 1, \\quad t > 0, F(t) = 1\nh(t) = 0\n")["verdict"], "holds")
+        self.assertEqual(verdict("h(1) = 0", "n = 1", "h(t) = 1, \\quad t > 0, F(t) = 1\nh(t) = 0\n")["verdict"], "fails")
+
 
 class Mistakes(unittest.TestCase):
     """One line, the line of the file, and a caret; nothing is decided."""
