@@ -76,7 +76,8 @@ static const struct {
     {"cos", "cos"}, {"tan", "tan"}, {"sec", "sec"}, {"arctan", "arctan"}, {"iota", "ι"}, {"csc", "csc"}, {"det", "det"}, {"lim", "lim"}, {"deg", "deg"}, {"ln", "ln"},
     {"log", "log"}, {"exp", "exp"}, {"sup", "sup"}, {"inf", "inf"}, {"arcsin", "arcsin"}, {"arccos", "arccos"},
     {"left", ""}, {"right", ""}, {"big", ""}, {"Big", ""}, {"bigl", ""}, {"bigr", ""}, {"Bigl", ""}, {"Bigr", ""},
-    {"bigm", " "}, {"Bigm", " "}, {"rm", ""}, {"bf", ""}, {"it", ""}, {"cal", ""}, {"sf", ""}, {"notag", ""}, {"nonumber", ""},
+    {"Longrightarrow", "⇒"}, {"implies", "⇒"}, {"impliedby", "⇐"}, {"Longleftarrow", "⇐"}, {"Leftarrow", "⇐"},
+    {"bigm", " "}, {"Bigm", " "}, {"hline", ""}, {"lbrace", "{"}, {"rbrace", "}"}, {"biggl", ""}, {"biggr", ""}, {"bigg", ""}, {"rm", ""}, {"bf", ""}, {"it", ""}, {"cal", ""}, {"sf", ""}, {"notag", ""}, {"nonumber", ""},
     {"displaystyle", ""}, {"limits", ""}, {"nolimits", ""}, {"textstyle", ""}, {"Re", "Re"}, {"bot", "⊥"},
     {"longrightarrow", "⟶"}, {"rightarrow", "→"}, {"star", "*"}, {"ast", "*"}, {"Longleftrightarrow", "⟺"}};
 
@@ -94,7 +95,7 @@ static const struct {
 static int is_relation(const char *text)
 {
     static const char *const relations[] = {"≤", "≥", "≠", "≡", "≈", "∼", "∈", "∉", "⊂", "⊆", "⊇", "→", "↦", "⇒",
-                                            "⇔", "⟶", "⟺", "±", "∓", "×", "∥", "⊥", "∪", "∩", "⊕", "≪", "≫"};
+                                            "⇔", "⇐", "⟶", "⟺", "±", "∓", "×", "∥", "⊥", "∪", "∩", "⊕", "≪", "≫"};
     for (size_t k = 0; k < sizeof relations / sizeof *relations; k++)
         if (strcmp(relations[k], text) == 0)
             return 1;
@@ -324,10 +325,27 @@ static const char *behind_break(const char *s)
         return s;
     const char *unit = s + 1 + strspn(s + 1, "0123456789.,+- ");
     size_t n = *unit == '\\' ? 1 + strcspn(unit + 1, "\\] ") : 2;
-    int is_length = n == 2 ? unit > s + 1 && isalpha((unsigned char)unit[0]) && isalpha((unsigned char)unit[1])
-                           : strncmp(unit, "\\jot", n) == 0 || (n > 4 && strncmp(unit + n - 4, "skip", 4) == 0);
+    int is_length =
+        n == 2 ? unit > s + 1 && isalpha((unsigned char)unit[0]) && isalpha((unsigned char)unit[1])
+               : strncmp(unit, "\\jot", n) == 0 ||
+                     (n > 6 && (strncmp(unit + n - 4, "skip", 4) == 0 || strncmp(unit + n - 6, "amount", 6) == 0));
     unit += is_length ? n + strspn(unit + n, " ") : 0;
     return is_length && *unit == ']' ? unit + 1 : s;
+}
+
+/* Behind the columns of an array, [c]{ll}. */
+static const char *behind_columns(const char *s)
+{
+    int depth = 0;
+    if (*s == '[' && strchr(s, ']') != NULL)
+        s = strchr(s, ']') + 1;
+    if (*s != '{')
+        return s;
+    do {
+        depth += (*s == '{') - (*s == '}');
+        s++;
+    } while (*s != '\0' && depth > 0);
+    return s;
 }
 
 /* \word at s (behind the backslash). */
@@ -362,6 +380,10 @@ static const char *command(const char *s, struct text *out)
         free(a.at), free(b.at);
         return e;
     }
+    if (n == 2 && strncmp(s, "cr", 2) == 0) {
+        put_division(out, NEXT_ROW);
+        return e;
+    }
     if ((n == 5 && strncmp(s, "binom", 5) == 0)) {
         struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
         puts_(out, "C("), puts_(out, a.at), puts_(out, ", "), puts_(out, b.at), puts_(out, ")");
@@ -389,10 +411,19 @@ static const char *command(const char *s, struct text *out)
     if ((n == 5 && strncmp(s, "begin", 5) == 0) || (n == 3 && strncmp(s, "end", 3) == 0)) {
         struct text a = render_group(&e, out->tight);
         char bracket = strcmp(a.at, "cases") == 0 ? '{' : a.at[0] == 'v' ? '|' : a.at[0] == 'b' ? '[' : '(';
+        if (s[0] == 'b' && strcmp(a.at, "array") == 0)
+            e = behind_columns(e);
         put(out, s[0] == 'b' ? (char[]){MATRIX, bracket} : (char[]){MATRIX_END}, s[0] == 'b' ? 2 : 1);
         free(a.at);
         return e;
     }
+    static const char *const hidden[] = {"noalign", "phantom", "hphantom", "vphantom", "hspace", "vspace"};
+    for (size_t k = 0; k < sizeof hidden / sizeof *hidden; k++)
+        if (strlen(hidden[k]) == n && strncmp(hidden[k], s, n) == 0) {
+            struct text a = render_group(&e, out->tight);
+            free(a.at);
+            return e;
+        }
     for (size_t k = 0; k < sizeof faces / sizeof *faces; k++)
         if (strlen(faces[k].word) == n && strncmp(faces[k].word, s, n) == 0) {
             e = group(e, out);

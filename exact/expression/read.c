@@ -420,7 +420,8 @@ static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
         if (list[count++] == NULL)
             return NULL;
         pass_punctuation(r);
-        cagd_pass(r, "&");
+        if (cagd_pass(r, "&") && !cagd_pass(r, ","))
+            cagd_pass(r, ":");
         if (cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end"))
             return cagd_refuse_token(r, "expected a condition behind '&', or \\text{otherwise}, not %s",
                                      cagd_name_of_next(r));
@@ -435,7 +436,7 @@ static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
             return cagd_refuse_token(r, "'%s' is not understood; expected 'if' or 'otherwise'", words);
         }
         r->lists++, r->premises++;
-        list[count] = cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_conditions(r);
+        list[count] = cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_alternatives(r);
         r->lists--, r->premises--;
         if (list[count++] == NULL)
             return NULL;
@@ -630,6 +631,13 @@ static const cagd_tree *word(cagd_reader *r)
                                          "\\cosh", "\\tanh", "\\arcsin", "\\arccos", "\\arctan", NULL};
     if (is_one_of(w, others))
         return cagd_refuse_token(r, "%s is no rational function: name its value, and say what relation it has", w);
+    if (strcmp(w, "\\vdots") == 0 || strcmp(w, "\\ddots") == 0)
+        return cagd_refuse_token(r, "what is left out? a matrix is written with all of its entries");
+    static const char *const plain[] = {"\\cases", "\\matrix", "\\pmatrix", "\\eqalign", NULL};
+    if (is_one_of(w, plain))
+        return cagd_refuse_token(r, "of plain TeX: write \\begin{%s} ... \\end{%s}",
+                                 strcmp(w, plain[3]) == 0 ? "aligned" : w + 1,
+                                 strcmp(w, plain[3]) == 0 ? "aligned" : w + 1);
     if (strcmp(w, "\\dots") == 0)
         return cagd_refuse_token(r, "what is left out? write it with \\sum or \\prod");
     return cagd_refuse_token(r, "%s is not understood", w);

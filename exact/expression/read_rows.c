@@ -69,19 +69,23 @@ static int is_formula(const cagd_token *t, const cagd_token *stop)
     return 0;
 }
 
-/* Whether the row at t goes on with the formula before it. */
-static int goes_on(const cagd_token *t, const cagd_token *stop, const cagd_token *first)
+/* Whether the row at t begins with a sign, a relation or a word that goes on with what is before it. */
+static int goes_on_by_sign(const cagd_token *t)
 {
     static const char *const signs[] = {"+",     "-", "*",     "\\times", "/", "\\text", "\\Rightarrow",
                                         "\\iff", ",", "\\dots"};
-    int is_behind_sign = is_word(t, "&");
-    if (is_behind_sign && !is_word(first, "&")) /* at the place of the relation */
-        return 1;
-    t += is_behind_sign;
+    t += is_word(t, "&") && !is_relation(t);
     for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
         if (is_word(t, signs[k]))
             return 1;
-    return is_relation(t) || !is_formula(t, stop);
+    return is_relation(t);
+}
+
+/* Whether the row at t goes on with the formula before it. */
+static int goes_on(const cagd_token *t, const cagd_token *stop, const cagd_token *first)
+{
+    return (is_word(t, "&") && !is_word(first, "&")) || /* at the place of the relation */
+           goes_on_by_sign(t) || !is_formula(t, stop);
 }
 
 /* The end of the environment whose rows begin at t. */
@@ -95,40 +99,66 @@ static const cagd_token *end_of_rows(const cagd_token *t)
     return t;
 }
 
-void cagd_open_rows(cagd_token list[])
+/* The rows from `first` to `end` go to `to` with commas between; what is behind them comes out.  Where they are in no environment, a row that neither has a
+ * relation nor begins with a sign is left as it is. */
+static cagd_token *put_rows(cagd_token *to, const cagd_token *start, const cagd_token *first, const cagd_token *end,
+                            int is_environment)
 {
-    static const char *const names[] = {"cases",   "dcases",    "rcases", "array",
-                                        "aligned", "alignedat", "split",  "gathered"};
-    enum { OF_VALUES = 4 };
-    char name[16] = "", columns[16];
-    cagd_token *t = list, *to = list;
-    int brace = is_word(t, "\\{"), which = -1, groups = 0, brackets = 0;
-    t += brace;
-    if (!is_word(t, "\\begin"))
-        return;
-    const cagd_token *first = behind_group(t + 1, name, sizeof name);
-    for (int k = 0; k < (int)(sizeof names / sizeof *names); k++)
-        which = strcmp(names[k], name) == 0 ? k : which;
-    int is_array = which >= 0 && strcmp(name, "array") == 0;
-    if (which < 0 || (is_array && !brace))
-        return;
-    if (is_array || strcmp(name, "alignedat") == 0)
-        first = behind_group(first, columns, sizeof columns);
-    const cagd_token *end = end_of_rows(first);
-    if (end->kind == CAGD_TOKEN_END || (which < OF_VALUES && !is_formula(first, end)))
-        return;
+    int groups = 0, brackets = 0;
     for (const cagd_token *s = first; s < end; s++) {
         int is_break = groups == 0 && is_word(s, "\\\\");
-        if (is_break && brackets == 0 && s + 1 < end && to > list && !ends_open(to - 1) && !goes_on(s + 1, end, first))
+        if (is_break && brackets == 0 && s + 1 < end && to > start && !ends_open(to - 1) && !goes_on(s + 1, end, first))
             *to++ = (cagd_token){CAGD_TOKEN_SIGN, ",", s->from, s->to};
-        if (is_break && brackets == 0 && to > list && is_word(to - 1, ";"))
+        if (is_break && brackets == 0 && to > start && is_word(to - 1, ";"))
             to[-1].word = ",";
-        if (is_break || (groups == 0 && is_word(s, "&")))
+        int stays = is_break && !is_environment && !(to > start && is_word(to - 1, ",")) && !goes_on_by_sign(s + 1);
+        if ((is_break && !stays) || (groups == 0 && is_word(s, "&")))
             continue;
         groups += change_of_groups(s), brackets += change_of_brackets(s);
         *to++ = *s;
     }
+    return to;
+}
+
+/* Whether a row ends outside of all groups, and another one follows. */
+static int has_rows(const cagd_token *t)
+{
+    for (int depth = 0; t->kind != CAGD_TOKEN_END; t++) {
+        depth += change_of_groups(t);
+        if (depth == 0 && is_word(t, "\\\\") && t[1].kind != CAGD_TOKEN_END)
+            return 1;
+    }
+    return 0;
+}
+
+void cagd_open_rows(cagd_token list[])
+{
+    static const char *const names[] = {"cases",     "dcases",   "rcases",   "array",    "aligned",
+                                        "alignedat", "split",    "gathered", "equation", "align",
+                                        "eqnarray",  "multline", "gather",   "flalign",  "alignat"};
+    enum { OF_VALUES = 4 };
+    char name[16] = "", columns[16];
+    cagd_token *t = list;
+    int brace = is_word(t, "\\{"), which = -1;
+    t += brace;
+    const cagd_token *first = is_word(t, "\\begin") ? behind_group(t + 1, name, sizeof name) : t;
+    size_t n = strlen(name);
+    name[n > 0 && name[n - 1] == '*' ? n - 1 : n] = '\0';
+    for (int k = 0; k < (int)(sizeof names / sizeof *names); k++)
+        which = strcmp(names[k], name) == 0 ? k : which;
+    if (strcmp(name, "array") == 0 || strcmp(name, "alignedat") == 0 || strcmp(name, "alignat") == 0)
+        first = behind_group(first, columns, sizeof columns);
+    const cagd_token *end = which >= 0 ? end_of_rows(first) : NULL;
+    if (end == NULL || end->kind == CAGD_TOKEN_END || (which < OF_VALUES && !is_formula(first, end))) {
+        for (end = list; end->kind != CAGD_TOKEN_END;)
+            end++;
+        if (has_rows(list))
+            *put_rows(list, list, list, end, 0) = *end;
+        return;
+    }
+    cagd_token *to = put_rows(list, list, first, end, 1);
     const cagd_token *behind = behind_group(end + 1, columns, sizeof columns);
+    behind += !brace && is_word(behind, "\\}"); /* \left. ... \right\} */
     while (behind->kind != CAGD_TOKEN_END)
         *to++ = *behind++;
     *to = *behind;

@@ -26,7 +26,7 @@ static const struct {
     {"\\scriptstyle", ""}, {"\\thinspace", ""}, {"\\negthinspace", ""}, {"\\medspace", ""}, {"\\thickspace", ""}, {"\\enspace", ""},
     {"\\enskip", ""}, {"\\hfill", ""}, {"\\strut", ""}, {"\\mathstrut", ""}, {"\\relax", ""}, {"\\boxed", ""}, {"\\ensuremath", ""},
     {"\\middle", ""}, {"\\displaystyle", ""}, {"\\textstyle", ""}, {"\\limits", ""}, {"\\nolimits", ""}, {"\\quad", ""},
-    {"\\qquad", ""}, {"\\nonumber", ""}, {"\\notag", ""}, {"\\cr", "\\\\"}, {"\\tabularnewline", "\\\\"},
+    {"\\qquad", ""}, {"\\nonumber", ""}, {"\\notag", ""}, {"\\cr", "\\\\"}, {"\\tabularnewline", "\\\\"}, {"\\hline", ""}, {"\\smallskip", ""}, {"\\medskip", ""}, {"\\bigskip", ""},
     {"\\mbox", "\\text"}, {"\\hbox", "\\text"}, {"\\textrm", "\\text"}, {"\\textnormal", "\\text"}, {"\\textup", "\\text"}, {"\\textit", "\\text"},
     {"\\,", ""}, {"\\;", ""}, {"\\:", ""}, {"\\!", ""}, {"\\ ", ""}, {"\\>", ""}, {"~", ""},
     {"\u00a0", ""}, {"\u2002", ""}, {"\u2003", ""}, {"\u2009", ""}, {"\u200a", ""}, {"\u202f", ""}, {"\u3000", ""},
@@ -184,9 +184,9 @@ static int read_scripts(const char *text, int at, int to, cagd_token list[], int
 }
 
 /* For the page, with a group behind it that means nothing; and what sets a group above the sign behind it, \stackrel{(1)}{=}. */
-static const char *const without_meaning[] = {"\\hspace",   "\\vspace",   "\\mspace",  "\\phantom",
-                                              "\\vphantom", "\\hphantom", "\\label",   "\\tag",
-                                              "\\color",    "\\stackrel", "\\overset", "\\underset"};
+static const char *const without_meaning[] = {"\\hspace",   "\\vspace",  "\\mspace",  "\\phantom", "\\vphantom",
+                                              "\\hphantom", "\\label",   "\\tag",     "\\noalign", "\\color",
+                                              "\\stackrel", "\\overset", "\\underset"};
 
 /* Behind the group of such a word s[0..n), which ends at `at`; `at` where there is none. */
 static int behind_meaningless(const char *text, const char *s, int n, int at, int to)
@@ -392,6 +392,45 @@ static int end_of_text_with_formulas(const char *text, int at, int to)
     return -1;
 }
 
+/* Behind the columns of an array at `at`, {ll}, [c]{@{}l@{\quad}p{2cm}|}; -1 where it is no such thing. */
+static int behind_columns(const char *text, int at, int to)
+{
+    int k = at, depth = 0;
+    while (k < to && isspace((unsigned char)text[k]))
+        k++;
+    if (k + 2 < to && text[k] == '[' && text[k + 2] == ']')
+        k += 3;
+    while (k < to && isspace((unsigned char)text[k]))
+        k++;
+    if (k == to || text[k] != '{')
+        return -1;
+    for (k++; k < to && text[k] != '}'; k++) {
+        if (strchr("lcr| *\n", text[k]) != NULL)
+            continue;
+        if (strchr("@!><pmb", text[k]) == NULL && text[k] != '{')
+            return -1;
+        for (k += text[k] != '{'; k < to; k++) {
+            depth += (text[k] == '{') - (text[k] == '}');
+            if (depth == 0)
+                break;
+        }
+        if (k == to || text[k] != '}')
+            return -1;
+    }
+    return k < to ? k + 1 : -1;
+}
+
+/* Whether the tokens end with \begin{array}. */
+static int ends_with_array(const cagd_token list[], int count)
+{
+    static const char *const words[] = {"\\begin", "{", "a", "r", "r", "a", "y", "}"};
+    enum { WORDS = sizeof words / sizeof *words };
+    for (int k = 0; k < WORDS && count >= WORDS; k++)
+        if (strcmp(list[count - WORDS + k].word, words[k]) != 0)
+            return 0;
+    return count >= WORDS;
+}
+
 /* \mathrm{otherwise}, {\rm if}: words, and no name. */
 static void read_roman_words(cagd_token list[], int count)
 {
@@ -507,6 +546,12 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
             return NULL;
         }
         list[count++] = t;
+        int columns = t.word[0] == '}' && ends_with_array(list, count) ? behind_columns(text, at, to) : -1;
+        if (columns >= 0 && count + 2 < CAGD_MOST_TOKENS) {
+            list[count++] = (cagd_token){CAGD_TOKEN_SIGN, "{", at, columns};
+            list[count++] = (cagd_token){CAGD_TOKEN_SIGN, "}", columns, columns};
+            at = columns;
+        }
     }
     if (list == NULL || region_faults & FAULT_MEMORY) {
         cagd_refuse_reading(error, from, to, "there is no memory for the formula");

@@ -1570,6 +1570,22 @@ class RowsAndLists(unittest.TestCase):
         self.assertEqual(verdict("h(2) = 0", "n = 1", "h(t) = 1, \\quad t > 0, F(t) = 1\nh(t) = 0\n")["verdict"], "holds")
         self.assertEqual(verdict("h(1) = 0", "n = 1", "h(t) = 1, \\quad t > 0, F(t) = 1\nh(t) = 0\n")["verdict"], "fails")
 
+    def test_rows_as_papers_print_them(self):
+        """What stands for the page alone is passed over; a sign before a condition is none of it."""
+        for amount in ("\\left\\{ \\begin{array}{lr} x, & \\mbox{if } x \\geq 0 \\\\ -x, & \\mbox{if } x < 0 \\end{array} \\right.", "\\left\\lbrace \\begin{array}{ll} x & ,\\ x \\geq 0 \\\\ -x & ,\\ x < 0 \\end{array} \\right.", "\\begin{cases} x &: x \\ge 0 \\\\ -x &: x < 0 \\end{cases}",
+                       "\\begin{cases} \\phantom{-}x, \\quad x \\ge 0,\\\\ -x, \\quad x < 0. \\end{cases}", "\\begin{cases} x & (x \\ge 0) \\\\ -x & (x < 0) \\end{cases}", "\\left\\{ \\begin{array}{@{}l@{\\quad}l@{}} x, & x \\ge 0, \\\\ -x, & x<0 \\end{array} \\right.", "\\left\\{ \\begin{array}{l p{2cm}|} x, & x \\ge 0, \\\\ -x, & x<0 \\end{array} \\right.",
+                       "\\left\\{ \\begin{array}[c]{ll} x, & x \\ge 0, \\\\ -x, & x<0 \\end{array} \\right.", "\\begin{cases} x, & x \\ge 0, \\\\ \\hline -x, & x<0 \\end{cases}", "\\begin{cases} x, & x \\ge 0, \\\\ \\noalign{\\medskip} -x, & x<0 \\end{cases}", "\\begin{cases} x & x \\in [0,\\infty), \\\\ -x & x \\in (-\\infty,0) \\end{cases}",
+                       "\\begin{cases} x & & x \\ge 0 \\\\ -x & & x < 0 \\end{cases}", "\\begin{cases} x, \\text{ if } x \\ge 0 \\\\ -x, \\text{ if } x < 0 \\end{cases}", "\\biggl\\{ \\begin{array}{ll} x, & x \\ge 0 \\cr -x, & x<0, \\end{array}", "\\begin{cases} x, & x > 0 \\text{ or } x = 0, \\\\ -x, & x < 0 \\end{cases}"):
+            with self.subTest(amount=amount):
+                self.assertEqual([verdict(f"|x| = {right}", "n = 1")["verdict"] for right in (amount, amount.replace("-x", "-2x"))], ["holds", "fails"])
+        for printed, expected in (("\\begin{eqnarray} (x+y)^2 &=& x^2 + @xy + y^2 \\end{eqnarray}", ""), ("\\begin{array}{rcl} (x+y)^2 &=& x^2 + @xy \\\\ && + y^2 \\end{array}", ""), ("\\begin{align} (x-y)^2 &= x^2 - 2xy + y^2 \\\\ (x+y)^2 &= x^2 + @xy + y^2 \\end{align}", ""), ("\\begin{multline*} (x+y)^2 = x^2 \\\\ + @xy + y^2 \\end{multline*}", ""), ("(x+y)^2 = x^2 + @xy \\\\ + y^2", ""),
+                                  ("(x+y)^2 &= x^2 + @xy \\\\ &\\quad + y^2", ""), ("(x+y)^2 \\\\ = x^2 + @xy + y^2", ""), ("(x-y)^2 = x^2 - 2xy + y^2 \\\\ (x+y)^2 = x^2 + @xy + y^2", ""), ("\\left. \\begin{array}{l} x = 1 \\\\ y = @ \\end{array} \\right\\} \\Rightarrow x+y = 3", ""), ("\\left| \\begin{array}{cc} x & y \\\\ @y & x \\end{array} \\right| = x^2-2y^2", ""),
+                                  ("\\left( \\begin{array}{cc} x & y \\\\ y & x \\end{array} \\right) \\left( \\begin{array}{c} 1 \\\\ @ \\end{array} \\right) = \\left( \\begin{array}{c} x + 2y \\\\ y + 2x \\end{array} \\right)", "")):
+            with self.subTest(printed=printed):
+                self.assertEqual([verdict(printed.replace("@", factor), "n = 1")["verdict"] for factor in "23"], ["holds", "fails"])
+        page = check(document("|x| = \\left\\{ \\begin{array}[c]{@{}ll} x, & x \\ge 0, \\\\ \\hline -x, & x<0 \\end{array} \\right.", "n = 1")).stdout
+        self.assertFalse([s for s in ("ll", "[c]", "@", "hline") if s in page.split("Verdict")[0]], page)
+
 
 class Mistakes(unittest.TestCase):
     """One line, the line of the file, and a caret; nothing is decided."""
