@@ -1,6 +1,7 @@
 #include "exact/expression/check.h"
 
 #include "core/clock.h"
+#include "exact/expression/bounds.h"
 #include "exact/expression/cases.h"
 #include "exact/expression/change.h"
 #include "exact/expression/clauses.h"
@@ -211,18 +212,6 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
 
 /* ---- conditions behind a formula -------------------------------------------------------------------------- */
 
-/* Names without meaning and numbers alone: a condition, if it is no statement. */
-static int is_of_plain_names(const cagd_scope *scope, const cagd_tree *t, int *names)
-{
-    int plain = t->kind == CAGD_NUMBER || t->kind == CAGD_SUM || t->kind == CAGD_PRODUCT || t->kind == CAGD_NEGATIVE ||
-                t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_RELATION;
-    if (t->kind == CAGD_NAME)
-        return ++*names, t->order == 0 && (cagd_defined(scope, t->head) == NULL || cagd_has_value(scope, t->head));
-    for (int k = 0; k < t->count && plain; k++)
-        plain = is_of_plain_names(scope, t->at[k], names);
-    return plain;
-}
-
 /* x = ..., x meaning nothing else. */
 static int tells_a_name(const cagd_scope *scope, const cagd_tree *t)
 {
@@ -230,69 +219,71 @@ static int tells_a_name(const cagd_scope *scope, const cagd_tree *t)
            t->at[0]->count == 0 && cagd_defined(scope, t->at[0]->head) == NULL;
 }
 
-/* 0 <= t <= 1: numbers on both sides of a name.  Nobody says of a name that it has such bounds: it is a range. */
-static int is_range_of_name(const cagd_tree *t)
-{
-    int less = 0, greater = 0,
-        is = t->kind == CAGD_RELATION && t->count == 3 && t->at[1]->kind == CAGD_NAME && t->at[1]->count == 0;
-    for (int k = 0; is && k < 2; k++) {
-        const cagd_tree *end = t->at[2 * k]->kind == CAGD_NEGATIVE ? t->at[2 * k]->at[0] : t->at[2 * k];
-        is = end->kind == CAGD_NUMBER;
-        less += t->relation[k] == CAGD_LESS || t->relation[k] == CAGD_LESS_OR_EQUAL;
-        greater += t->relation[k] == CAGD_GREATER || t->relation[k] == CAGD_GREATER_OR_EQUAL;
-    }
-    return is && (less == 2 || greater == 2);
-}
+/* What stands behind a formula and can be meant as supposed. */
+struct parts {
+    const cagd_tree *where, *supposed, *statement; /* the first that is no range, or else the first; all of them; what the statement is then */
+    int are_ranges;
+};
 
-static int are_ranges(const cagd_tree *supposed)
+/* The statement, "A, \quad u + v = 1", or "A, \quad u + v = 1, \quad x \in [0,1]", with the parts of plain names supposed; 0 where there are none. */
+static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct parts *out)
 {
-    int are = supposed->kind == CAGD_ALL || is_range_of_name(supposed);
-    for (int k = 0; supposed->kind == CAGD_ALL && k < supposed->count; k++)
-        are &= is_range_of_name(supposed->at[k]);
-    return are;
-}
-
-/* "A, \quad u + v = 1" with the parts of plain names behind the first supposed; NULL where there are none. */
-static const cagd_tree *with_parts_supposed(const cagd_scope *scope, const cagd_tree *t, const cagd_tree **first)
-{
+    const cagd_tree *premise = NULL;
+    if (t->kind == CAGD_IMPLIES && t->at[1]->from < t->at[0]->from)
+        premise = t->at[0], t = t->at[1];
     cagd_tree *said = cagd_tree_new(CAGD_ALL, t->from, t->to, t->count),
               *supposed = cagd_tree_new(CAGD_ALL, t->from, t->to, t->count),
-              *both = cagd_tree_new(CAGD_IMPLIES, t->from, t->to, 2);
-    if (t->kind != CAGD_ALL || said == NULL || supposed == NULL || both == NULL)
-        return NULL;
+              *both = cagd_tree_new(CAGD_ALL, t->from, t->to, 2),
+              *implication = cagd_tree_new(CAGD_IMPLIES, t->from, t->to, 2);
+    if (t->kind != CAGD_ALL || said == NULL || supposed == NULL || both == NULL || implication == NULL)
+        return 0;
     said->count = supposed->count = 0;
+    *out = (struct parts){.are_ranges = 1};
     for (int k = 0; k < t->count; k++) {
-        int names = 0, plain = k > 0 && (tells_a_name(scope, t->at[k]) ||
-                                         (is_of_plain_names(scope, t->at[k], &names) && names > 0));
+        int is_range = cagd_is_range_of_name(scope, t->at[k], premise),
+            plain = is_range || (k > 0 && (tells_a_name(scope, t->at[k]) ||
+                                           (cagd_is_of_plain_names(scope, t->at[k]))));
         cagd_tree *to = plain ? supposed : said;
         to->at[to->count++] = t->at[k];
+        if (plain && (out->where == NULL || (!is_range && out->are_ranges)))
+            out->where = t->at[k];
+        out->are_ranges &= is_range || !plain;
     }
-    if (supposed->count == 0)
-        return NULL;
-    *first = supposed->at[0];
-    both->at[0] = supposed->count == 1 ? supposed->at[0] : supposed;
-    both->at[1] = said->count == 1 ? said->at[0] : said;
-    return both;
+    if (said->count == 0) { /* a >= 0, a^3 >= 0: what is no range is said */
+        supposed->count = 0;
+        for (int k = 0; k < t->count; k++) {
+            cagd_tree *to = cagd_is_range_of_name(scope, t->at[k], premise) ? supposed : said;
+            to->at[to->count++] = t->at[k];
+        }
+        out->where = supposed->at[0], out->are_ranges = 1;
+    }
+    if (supposed->count == 0 || said->count == 0)
+        return 0;
+    out->supposed = supposed->count == 1 ? supposed->at[0] : supposed;
+    both->at[0] = premise, both->at[1] = out->supposed;
+    implication->at[0] = premise != NULL ? both : out->supposed;
+    implication->at[1] = said->count == 1 ? said->at[0] : said;
+    out->statement = implication;
+    return 1;
 }
 
 void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
 {
-    const cagd_tree *where = NULL;
+    struct parts parts;
     check(scope, statement, seconds, 0, out);
-    const cagd_tree *other = out->answer == CAGD_FAILS ? with_parts_supposed(scope, statement, &where) : NULL;
-    if (other == NULL)
+    if (out->answer == CAGD_HOLDS || !suppose_parts(scope, statement, &parts) ||
+        (out->answer == CAGD_UNDECIDED && !parts.are_ranges))
         return;
     cagd_finding *second = region_bytes(sizeof *second);
     if (second == NULL)
         return;
-    check(scope, other, seconds, 0, second);
-    if (second->answer == CAGD_FAILS ||
-        are_ranges(other->at[0])) { /* in both readings, with numbers that satisfy what can be a condition */
+    check(scope, parts.statement, seconds, 0, second);
+    if (second->answer == CAGD_FAILS || parts.are_ranges) { /* in both readings, with numbers that satisfy what can be a condition */
         *out = *second;
-        out->supposed = out->answer == CAGD_HOLDS ? other->at[0] : NULL;
+        out->supposed = out->answer == CAGD_HOLDS ? parts.supposed : NULL;
         return;
     }
-    *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = where};
+    *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = parts.where};
     out->why = "it fails if this is said, and not where it is supposed: then write \\text{for} before it";
 }
 
@@ -302,8 +293,9 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
 {
     double until = cagd_seconds() + seconds;
     int held = 0;
-    const cagd_tree *where, *other = out->supposed != NULL ? with_parts_supposed(scope, statement, &where) : NULL;
-    statement = other != NULL ? other : statement;
+    struct parts parts;
+    if (out->supposed != NULL && suppose_parts(scope, statement, &parts))
+        statement = parts.statement;
     for (int k = 0; k < MOST_CHANGES && cagd_seconds() < until; k++) {
         region_mark mark = region_open();
         cagd_finding *f = region_bytes(sizeof *f);

@@ -1,0 +1,14 @@
+/* bounds.h -- what stands behind a formula without a word and is a bound of a variable, or a condition of variables.
+ *
+ * Nobody says of a variable that it has such bounds, a > 0, 0 <= a <= 1, u_0 <= u < u_1: they are supposed. */
+#ifndef CAGD_EXPRESSION_BOUNDS_H
+#define CAGD_EXPRESSION_BOUNDS_H
+
+#include "exact/expression/scope.h"
+
+/* Names without meaning and numbers alone: a condition, if it is no statement. */
+int cagd_is_of_plain_names(const cagd_scope *scope, const cagd_tree *t);
+/* A relation, other than =, of a variable and constants, or of a variable between two constants or two knots, u_i <= u < u_{i+1}; of the
+ * variable no condition of the scope speaks, nor the premise, which may be NULL. */
+int cagd_is_range_of_name(const cagd_scope *scope, const cagd_tree *t, const cagd_tree *premise);
+#endif
