@@ -303,6 +303,9 @@ static const char *key_of_one(const cagd_tree *name)
 
 static int declare(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, cagd_variable v)
 {
+    const cagd_variable *same = cagd_declared(scope, name->head);
+    if (v.whole && same != NULL && same->whole && same->low->from == v.low->from && v.low->to > v.low->from)
+        return 1; /* it was read before what stands before it */
     v.head = name->head, v.lower = name->lower, v.upper = name->upper, v.left = name;
     if (name->arguments > 0 || name->order > 0)
         return cagd_refuse_tree(r, name, "a variable has no arguments: define the function") != NULL;
@@ -528,6 +531,17 @@ static int dots(cagd_reader *r, const cagd_tree **high)
     return 1;
 }
 
+/* What may stand behind the last number of a list. */
+static int ends_list(const cagd_token *t)
+{
+    static const char *const words[] = {",",     ";",     ")",     "\\}",         ".",     ":",
+                                        "\\text", "\\mbox", "\\textrm", "\\Rightarrow", "\\iff"};
+    int is = t->kind == CAGD_TOKEN_END;
+    for (size_t k = 0; k < sizeof words / sizeof *words && !is; k++)
+        is = strcmp(t->word, words[k]) == 0;
+    return is;
+}
+
 /* ", 1, 2, 3" behind the number 0: the last of them, each one more than the one before; NULL where there are none. */
 static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first)
 {
@@ -539,8 +553,7 @@ static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first)
         const cagd_token *t = r->token + 1;
         char next[24];
         snprintf(next, sizeof next, "%ld", before + 1);
-        if (strcmp(t->word, next) != 0 ||
-            (t[1].kind != CAGD_TOKEN_END && strcmp(t[1].word, ",") != 0 && strcmp(t[1].word, "\\}") != 0))
+        if (strcmp(t->word, next) != 0 || !ends_list(t + 1))
             break;
         r->token += 2;
         last = cagd_tree_number(before + 1, t->from, t->to);
@@ -565,38 +578,141 @@ static const cagd_tree *lowest(cagd_reader *r, const cagd_token *t)
     return low;
 }
 
+/* Behind the name of a range and "=": 0, \dots, n; 0, 1, 2; 0(1)n; or 3, which is no range.  Whether it is one; -1: an error. */
+static int range_of(cagd_reader *r, cagd_variable *v)
+{
+    const cagd_token *low = r->token;
+    r->ends++;
+    *v = (cagd_variable){.whole = 1, .low = cagd_read_sum(r)};
+    r->ends--;
+    if (v->low == NULL)
+        return -1;
+    if (steps_of_one(low)) { /* i = 0(1)n */
+        r->token = low + STEPS;
+        v->low = lowest(r, low);
+        v->high = cagd_read_sum(r);
+        return v->low != NULL && v->high != NULL ? 1 : -1;
+    }
+    int has_dots = dots(r, &v->high);
+    if (has_dots == 0)
+        v->high = listed(r, v->low);
+    return has_dots != 0 ? has_dots : v->high != NULL;
+}
+
 /* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
 static int numbers(cagd_reader *r, cagd_scope *scope)
 {
     struct place start = here(r);
+    cagd_variable v;
     const cagd_tree *name = declared_name(r);
     if (name == NULL || !cagd_pass(r, "="))
         return back(r, start) - 1;
-    const cagd_token *low = r->token;
-    r->ends++;
-    cagd_variable v = {.whole = 1, .low = cagd_read_sum(r)};
-    r->ends--;
-    if (v.low == NULL)
+    int is_range = range_of(r, &v);
+    if (is_range < 0)
         return 0;
-    if (steps_of_one(low)) { /* i = 0(1)n */
-        r->token = low + STEPS;
-        v.low = lowest(r, low);
-        v.high = cagd_read_sum(r);
-        return v.low != NULL && v.high != NULL && declare(r, scope, name, v);
-    }
-    int has_dots = dots(r, &v.high);
-    if (has_dots < 0)
-        return 0;
-    if (!has_dots)
-        v.high = listed(r, v.low);
-    if (has_dots || v.high != NULL)
+    if (is_range)
         return declare(r, scope, name, v);
+    const cagd_definition *same = cagd_defined(scope, name->head);
+    if (same != NULL && same->body != NULL && same->body->from == v.low->from)
+        return 1;
     if (!is_left_side(r, name, 0))
         return 0;
     cagd_definition *d = cagd_define(scope, name);
     if (d != NULL)
         d->body = v.low;
     return d != NULL;
+}
+
+int cagd_begins_range(const cagd_token *t)
+{
+    return t->kind == CAGD_TOKEN_LETTER &&
+           (strcmp(t[1].word, "=") == 0 || (strcmp(t[1].word, "\\in") == 0 && strcmp(t[2].word, "\\{") == 0));
+}
+
+int cagd_read_index_range(cagd_reader *r, const cagd_tree **low, const cagd_tree **high)
+{
+    struct place start = here(r);
+    cagd_variable v = {0};
+    if (!cagd_begins_range(r->token))
+        return 0;
+    int is_set = strcmp(r->token[1].word, "\\in") == 0;
+    r->token += 2;
+    if ((is_set ? whole_numbers(r, &v) : range_of(r, &v)) <= 0 || v.high == NULL)
+        return back(r, start);
+    *low = v.low, *high = v.high;
+    return 1;
+}
+
+/* Where a range of that letter stands ahead, behind a comma or words; NULL where it does not. */
+static const cagd_token *range_ahead(const cagd_reader *r, const char *letter)
+{
+    int depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 0 && t > r->token && strchr(",;}", t[-1].word[0]) != NULL && cagd_begins_range(t) &&
+            strcmp(t->word, letter) == 0)
+            return t;
+    }
+    return NULL;
+}
+
+/* The end of what comes next, if it is a range of an index, j = 0, 1, \dots, i - 1, or a chain with a name without indices in it, u_i \le u < u_{i+1}: both may have
+ * letters whose ranges stand ahead.  Otherwise its beginning. */
+static const cagd_token *end_of_item(cagd_reader *r)
+{
+    struct place start = here(r);
+    struct cagd_bound room[CAGD_MOST_CHILDREN];
+    const struct cagd_bound *outside = r->bound;
+    const cagd_tree *low, *high;
+    const cagd_token *end = start.token;
+    cagd_relation relation;
+    int used = 0, depth = 0, alone = 0;
+    for (const cagd_token *t = start.token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++)
+        if (t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) && range_ahead(r, t->word) != NULL) {
+            room[used] = (struct cagd_bound){t->word, r->bound};
+            r->bound = &room[used++];
+        }
+    if (used > 0 && cagd_read_index_range(r, &low, &high)) {
+        end = r->token;
+    } else if (used > 0 && !cagd_begins_range(start.token)) {
+        for (int begins = 1; r->token->kind != CAGD_TOKEN_END; r->token++) {
+            const cagd_token *t = r->token;
+            depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+            if (depth == 0 && strchr(",;", t->word[0]) != NULL)
+                break;
+            cagd_reader behind = *r;
+            behind.token = t + 1;
+            alone |= begins && depth == 0 && t->kind == CAGD_TOKEN_LETTER &&
+                     (cagd_relation_next(&behind, &relation) || strchr(",;", t[1].word[0]) != NULL);
+            begins = depth == 0 && cagd_relation_next(r, &relation);
+        }
+        end = alone ? r->token : start.token;
+    }
+    r->bound = outside;
+    back(r, start);
+    return end;
+}
+
+static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *listed);
+
+/* Letters of the range or chain that comes next, whose own ranges stand behind it, j = 0, 1, \dots, i - 1, i = 1, 2, \dots, n: these are read before it. */
+static void declare_ahead(cagd_reader *r, cagd_scope *scope, int depth)
+{
+    struct place start = here(r);
+    const cagd_token *end = depth < CAGD_MOST_INDICES ? end_of_item(r) : start.token;
+    for (const cagd_token *t = start.token; t < end; t++) {
+        const cagd_token *ahead =
+            t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) ? range_ahead(r, t->word) : NULL;
+        if (ahead == NULL || ahead < end)
+            continue;
+        cagd_scope before = *scope;
+        cagd_reading_error listed;
+        r->token = ahead;
+        declare_ahead(r, scope, depth + 1);
+        if ((strcmp(ahead[1].word, "\\in") == 0 ? elements(r, scope, &listed) : numbers(r, scope)) <= 0)
+            *scope = before;
+        back(r, start);
+    }
 }
 
 struct piece {
@@ -824,6 +940,7 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         while (cagd_read_words(r) != NULL || cagd_pass(r, "\\forall"))
             ;
         cagd_share_value(r);
+        declare_ahead(r, scope, 0);
         int done = elements(r, scope, &listed);
         if (done < 0)
             done = numbers(r, scope);

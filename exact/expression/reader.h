@@ -129,6 +129,10 @@ int cagd_share_bounds(cagd_reader *r);
 void cagd_share_value(cagd_reader *r);
 /* One condition: a chain of relations, or a truth in brackets. */
 const cagd_tree *cagd_read_condition(cagd_reader *r);
+/* Whether a letter and "=", or \in \{, begin there; and, if it is a range of whole numbers with an end, i = 0, 1, \dots, n, i = 0, 1, 2, i \in \{0, \dots, n\}:
+ * then it is passed.  Otherwise nothing is, and that is no error. */
+int cagd_begins_range(const cagd_token *t);
+int cagd_read_index_range(cagd_reader *r, const cagd_tree **low, const cagd_tree **high);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
 /* Whether a chain has relations of both directions. */
 int cagd_changes_direction(const cagd_relation relation[], int count);
