@@ -131,6 +131,19 @@ static int is_part_of(const cagd_tree *t, const cagd_tree *before)
     return before != NULL && before->from <= t->from && t->to == before->to;
 }
 
+/* Whether the finding has names that are called as the variable, and of which its bounds are not. */
+static int has_others(const cagd_finding *f, const cagd_variable *v)
+{
+    int has = 0;
+    for (int k = 0; v->some && k < f->names && !has; k++)
+        if (is_of(f->name[k], v->head)) {
+            const char *index = f->name[k] + strlen(v->head);
+            long value = strtol(index + (*index == '{'), NULL, 10);
+            has = value < v->first || value > v->last;
+        }
+    return has;
+}
+
 const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     const cagd_variable *whole[16];
@@ -176,6 +189,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
                           : v->high_open  ? " < "
                                           : " \\le ",
                           source(d, v->high));
+        if (bounded && has_others(f, v))
+            text = append(text, " for $%s = %ld$ to $%ld$", letter, v->first, v->last);
         comma = ", ";
     }
     for (int k = 0; k < f->names; k++) {
@@ -396,6 +411,12 @@ static const cagd_variable *unused_range(const struct document *d, const struct 
             is_used |= used[k] == v;
         for (const cagd_variable *other = d->scope.variables; other != NULL; other = other->next)
             is_used |= other == v;
+        for (int k = d->scope.condition_count; k < s->scope.condition_count; k++)
+            is_used |=
+                s->scope.conditions[k]->kind == CAGD_FOR_ALL && strcmp(s->scope.conditions[k]->head, v->head) == 0;
+        for (const cagd_definition *a = s->scope.definitions; a != NULL; a = a->next)
+            is_used |= a->when != NULL && cagd_tree_has(a->when, v->head) &&
+                       cagd_depends_on(&s->scope, s->tree, a->left->head);
         if (!is_used)
             return v;
     }
@@ -691,9 +712,9 @@ json_t *found_json(const struct formula *s, const cagd_found *f)
         free(digits);
     }
     char *values = tex_to_text(f->known ? values_of(s, f) : "", 1);
-    json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:o, s:I, s:o}", "name", s->name, "line", s->line, "printed_tex",
-                          s->printed, "verdict", f->known ? "found" : "undecided", "find", s->find, "values", values, "roots", roots,
-                          "cases", (json_int_t)f->cases, "fails_for", fails);
+    json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:o, s:I, s:o}", "name", s->name, "line", s->line,
+                          "printed_tex", s->printed, "verdict", f->known ? "found" : "undecided", "find", s->find,
+                          "values", values, "roots", roots, "cases", (json_int_t)f->cases, "fails_for", fails);
     free(values);
     if (!f->known)
         json_object_set_new(j, "reason", json_string(f->why));

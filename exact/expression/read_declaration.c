@@ -534,7 +534,7 @@ static int dots(cagd_reader *r, const cagd_tree **high)
 /* What may stand behind the last number of a list. */
 static int ends_list(const cagd_token *t)
 {
-    static const char *const words[] = {",",     ";",     ")",     "\\}",         ".",     ":",
+    static const char *const words[] = {",",      ";",      ")",        "\\}",          ".",    ":",
                                         "\\text", "\\mbox", "\\textrm", "\\Rightarrow", "\\iff"};
     int is = t->kind == CAGD_TOKEN_END;
     for (size_t k = 0; k < sizeof words / sizeof *words && !is; k++)
@@ -599,30 +599,6 @@ static int range_of(cagd_reader *r, cagd_variable *v)
     return has_dots != 0 ? has_dots : v->high != NULL;
 }
 
-/* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
-static int numbers(cagd_reader *r, cagd_scope *scope)
-{
-    struct place start = here(r);
-    cagd_variable v;
-    const cagd_tree *name = declared_name(r);
-    if (name == NULL || !cagd_pass(r, "="))
-        return back(r, start) - 1;
-    int is_range = range_of(r, &v);
-    if (is_range < 0)
-        return 0;
-    if (is_range)
-        return declare(r, scope, name, v);
-    const cagd_definition *same = cagd_defined(scope, name->head);
-    if (same != NULL && same->body != NULL && same->body->from == v.low->from)
-        return 1;
-    if (!is_left_side(r, name, 0))
-        return 0;
-    cagd_definition *d = cagd_define(scope, name);
-    if (d != NULL)
-        d->body = v.low;
-    return d != NULL;
-}
-
 int cagd_begins_range(const cagd_token *t)
 {
     return t->kind == CAGD_TOKEN_LETTER &&
@@ -656,6 +632,80 @@ static const cagd_token *range_ahead(const cagd_reader *r, const char *letter)
     return NULL;
 }
 
+/* Letters whose ranges stand ahead are known, though they are not read yet; their number. */
+static int bind_ranges_ahead(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDREN])
+{
+    int used = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++)
+        if (t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) && range_ahead(r, t->word) != NULL) {
+            room[used] = (struct cagd_bound){t->word, r->bound};
+            r->bound = &room[used++];
+        }
+    return used;
+}
+
+/* The range that this list has of the letter, before what is read or behind it; 0 where it has none with an end. */
+static int range_in_list(cagd_reader *r, const cagd_scope *before, const char *letter, const cagd_tree **low,
+                         const cagd_tree **high)
+{
+    const cagd_variable *v = cagd_declared(r->scope, letter);
+    struct place start = here(r);
+    if (v != NULL && v->whole && cagd_declared(before, letter) != v) {
+        *low = v->low, *high = v->high;
+        return v->high != NULL && !v->low_open && !v->high_open;
+    }
+    const cagd_token *ahead = v == NULL && !cagd_is_known(r, letter) ? range_ahead(r, letter) : NULL;
+    if (ahead == NULL)
+        return 0;
+    struct cagd_bound room[CAGD_MOST_CHILDREN];
+    const struct cagd_bound *outside = r->bound;
+    bind_ranges_ahead(r, room);
+    r->token = ahead;
+    int is = cagd_read_index_range(r, low, high);
+    r->bound = outside;
+    back(r, start);
+    return is;
+}
+
+/* a_j = 0, j = 1, 2: the condition that the indices, letters, are within the ranges that the list has of them; NULL where it has none. */
+static const cagd_tree *within_ranges(cagd_reader *r, const cagd_scope *before, const cagd_tree *name)
+{
+    static const cagd_relation between[2] = {CAGD_LESS_OR_EQUAL, CAGD_LESS_OR_EQUAL};
+    const cagd_tree *when = NULL, *low, *high;
+    for (int k = 0; k < name->lower + name->upper; k++)
+        if (name->at[k]->kind == CAGD_NAME && name->at[k]->count == 0 &&
+            range_in_list(r, before, name->at[k]->head, &low, &high)) {
+            const cagd_tree *one =
+                cagd_relate(r, name->from, 3, (const cagd_tree *[]){low, name->at[k], high}, between);
+            when = when == NULL ? one : cagd_new_of(r, CAGD_ALL, name->from, 2, (const cagd_tree *[]){when, one});
+        }
+    return when;
+}
+
+/* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
+static int numbers(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
+{
+    struct place start = here(r);
+    cagd_variable v;
+    const cagd_tree *name = declared_name(r);
+    if (name == NULL || !cagd_pass(r, "="))
+        return back(r, start) - 1;
+    int is_range = range_of(r, &v);
+    if (is_range < 0)
+        return 0;
+    if (is_range)
+        return declare(r, scope, name, v);
+    const cagd_definition *same = cagd_defined(scope, name->head);
+    if (same != NULL && same->body != NULL && same->body->from == v.low->from)
+        return 1;
+    if (!is_left_side(r, name, 0))
+        return 0;
+    cagd_definition *d = cagd_define(scope, name);
+    if (d != NULL)
+        d->body = v.low, d->when = within_ranges(r, before, name);
+    return d != NULL;
+}
+
 /* The end of what comes next, if it is a range of an index, j = 0, 1, \dots, i - 1, or a chain with a name without indices in it, u_i \le u < u_{i+1}: both may have
  * letters whose ranges stand ahead.  Otherwise its beginning. */
 static const cagd_token *end_of_item(cagd_reader *r)
@@ -666,12 +716,8 @@ static const cagd_token *end_of_item(cagd_reader *r)
     const cagd_tree *low, *high;
     const cagd_token *end = start.token;
     cagd_relation relation;
-    int used = 0, depth = 0, alone = 0;
-    for (const cagd_token *t = start.token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++)
-        if (t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) && range_ahead(r, t->word) != NULL) {
-            room[used] = (struct cagd_bound){t->word, r->bound};
-            r->bound = &room[used++];
-        }
+    int used, depth = 0, alone = 0;
+    used = bind_ranges_ahead(r, room);
     if (used > 0 && cagd_read_index_range(r, &low, &high)) {
         end = r->token;
     } else if (used > 0 && !cagd_begins_range(start.token)) {
@@ -696,7 +742,7 @@ static const cagd_token *end_of_item(cagd_reader *r)
 static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *listed);
 
 /* Letters of the range or chain that comes next, whose own ranges stand behind it, j = 0, 1, \dots, i - 1, i = 1, 2, \dots, n: these are read before it. */
-static void declare_ahead(cagd_reader *r, cagd_scope *scope, int depth)
+static void declare_ahead(cagd_reader *r, cagd_scope *scope, const cagd_scope *before, int depth)
 {
     struct place start = here(r);
     const cagd_token *end = depth < CAGD_MOST_INDICES ? end_of_item(r) : start.token;
@@ -705,12 +751,12 @@ static void declare_ahead(cagd_reader *r, cagd_scope *scope, int depth)
             t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) ? range_ahead(r, t->word) : NULL;
         if (ahead == NULL || ahead < end)
             continue;
-        cagd_scope before = *scope;
+        cagd_scope as_it_was = *scope;
         cagd_reading_error listed;
         r->token = ahead;
-        declare_ahead(r, scope, depth + 1);
-        if ((strcmp(ahead[1].word, "\\in") == 0 ? elements(r, scope, &listed) : numbers(r, scope)) <= 0)
-            *scope = before;
+        declare_ahead(r, scope, before, depth + 1);
+        if ((strcmp(ahead[1].word, "\\in") == 0 ? elements(r, scope, &listed) : numbers(r, scope, before)) <= 0)
+            *scope = as_it_was;
         back(r, start);
     }
 }
@@ -798,8 +844,9 @@ static const cagd_tree *letter_without_meaning(const cagd_reader *r, const cagd_
 }
 
 /* u_i \le u_{i+1}, the letter i meaning nothing: for every index. */
-static const cagd_tree *for_every_index(cagd_reader *r, const cagd_tree *t)
+static const cagd_tree *for_every_index(cagd_reader *r, const cagd_scope *before, const cagd_tree *t)
 {
+    const cagd_tree *low, *high;
     const cagd_tree *letter = letter_without_meaning(r, t, NULL, 0);
     const cagd_tree *other = letter != NULL ? letter_without_meaning(r, t, letter->head, 0) : NULL;
     if (letter == NULL)
@@ -807,6 +854,12 @@ static const cagd_tree *for_every_index(cagd_reader *r, const cagd_tree *t)
     if (other != NULL)
         return cagd_refuse_tree(r, other, "a condition for every index has one letter: %s or %s", letter->head,
                                 other->head);
+    if (range_in_list(r, before, letter->head, &low, &high)) {
+        cagd_tree *all = cagd_new_of(r, CAGD_FOR_ALL, t->from, 3, (const cagd_tree *[]){low, high, t});
+        if (all != NULL)
+            all->head = letter->head, all->to = t->to;
+        return all;
+    }
     cagd_tree *every = cagd_new(r, CAGD_EVERY_INDEX, t->from, 1);
     if (every != NULL)
         every->head = letter->head, every->at[0] = t, every->to = t->to;
@@ -857,6 +910,18 @@ static int is_each(const cagd_scope *scope, const cagd_tree *name)
                 return 0;
     }
     return 1;
+}
+
+static int is_whole_number(const cagd_tree *t) { return t->kind == CAGD_NUMBER && cagd_is_whole_q(t->number); }
+
+/* Bounds of a_j for j = 1, 2 are not those of a_3. */
+static void restrict_bounds(cagd_reader *r, const cagd_scope *before, cagd_variable *v)
+{
+    const cagd_tree *left = v->left, *low, *high;
+    v->some = left->lower == 1 && left->upper == 0 && left->at[0]->kind == CAGD_NAME && left->at[0]->count == 0 &&
+              range_in_list(r, before, left->at[0]->head, &low, &high) && is_whole_number(low) && is_whole_number(high);
+    if (v->some)
+        v->first = mpz_get_si(mpq_numref(low->number.at)), v->last = mpz_get_si(mpq_numref(high->number.at));
 }
 
 /* -1 \le \lambda < 1: bounds of the only variable, or else a condition.  What was said before this list of ranges, in `before`, of a
@@ -923,6 +988,7 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         }
         if (replaces) {
             take_letters(&v, p[which].tree, p, count);
+            restrict_bounds(r, before, &v);
             return cagd_declare(scope, v);
         }
     }
@@ -930,7 +996,7 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     for (int k = 0; k < count; k++)
         list[k] = p[k].tree;
     const cagd_tree *t = cagd_relate(r, from, count, list, relation);
-    return t != NULL && (t = for_every_index(r, t)) != NULL && cagd_suppose(scope, t);
+    return t != NULL && (t = for_every_index(r, before, t)) != NULL && cagd_suppose(scope, t);
 }
 
 static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
@@ -940,10 +1006,10 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         while (cagd_read_words(r) != NULL || cagd_pass(r, "\\forall"))
             ;
         cagd_share_value(r);
-        declare_ahead(r, scope, 0);
+        declare_ahead(r, scope, before, 0);
         int done = elements(r, scope, &listed);
         if (done < 0)
-            done = numbers(r, scope);
+            done = numbers(r, scope, before);
         if (done < 0)
             done = cagd_share_bounds(r) && chain(r, scope, before);
         if (!done && listed.from > r->error->from)

@@ -24,6 +24,8 @@ typedef struct cagd_variable {
     int whole;     /* runs over the whole numbers from low to high; every number from low on when high is NULL */
     const cagd_tree *low, *high;
     int low_open, high_open; /* < and not <= */
+    int some; /* the bounds are those of the indices `first` to `last` alone, and others have those of an earlier declaration */
+    long first, last;
     const struct cagd_variable *next;
 } cagd_variable;
 
