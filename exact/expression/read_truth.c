@@ -343,6 +343,209 @@ const cagd_tree *cagd_read_members(cagd_reader *r)
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
 }
 
+/* ---- ranges of what is supposed ------------------------------------------------------------------------ */
+
+/* Ranges of indices in what is supposed, "if a_j = 0 for j = 1, 2": it is supposed for all of them. */
+struct own_ranges {
+    struct cagd_bound letter[CAGD_MOST_INDICES];
+    const cagd_tree *low[CAGD_MOST_INDICES], *high[CAGD_MOST_INDICES];
+    int count;
+};
+
+/* The token that ends what is supposed and begins at r->token. */
+static const cagd_token *end_of_supposed(const cagd_reader *r)
+{
+    static const char *const ends[] = {"then", "implies",      "implies that",     "if and only if",
+                                       "iff",  "exactly when", "is equivalent to", "if",
+                                       "when", "whenever"};
+    cagd_reader at = *r;
+    while (at.token->kind != CAGD_TOKEN_END) {
+        const cagd_token *here = at.token;
+        const char *said = cagd_read_words(&at);
+        for (size_t k = 0; said != NULL && here > r->token && k < sizeof ends / sizeof *ends; k++)
+            if (is_said(said, ends[k]))
+                return here;
+        if (said == NULL &&
+            (cagd_next_is(&at, "\\Rightarrow") || cagd_next_is(&at, "\\Leftarrow") || cagd_next_is(&at, "\\iff") ||
+             cagd_next_is(&at, "\\forall") || cagd_next_is(&at, "\\exists")))
+            return here;
+        at.token += said == NULL;
+    }
+    return at.token;
+}
+
+/* Where what stands before the range at t begins, a comma, words, a bracket or a wide space, and *close, whether a bracket has to end behind it; NULL
+ * where a range cannot begin. */
+static const cagd_token *before_range(const cagd_reader *r, const cagd_token *first, const cagd_token *t, int *close)
+{
+    *close = 0;
+    if (t == first)
+        return t;
+    if (strchr(",;", t[-1].word[0]) != NULL)
+        return t - 1;
+    if (strcmp(t[-1].word, "(") == 0) {
+        *close = 1, t--;
+        return t > first && strchr(",;", t[-1].word[0]) != NULL ? t - 1 : t;
+    }
+    if (strcmp(t[-1].word, "}") == 0) { /* \text{ for } */
+        static const char *const words[] = {"for",  "for all", "for each", "for every", "for any",    "where",
+                                            "with", "and",     "and for",  "and all",   "and for all"};
+        cagd_reader at = *r;
+        for (at.token = t - 1; at.token > first && at.token[0].word[0] != '\\'; at.token--)
+            ;
+        const cagd_token *begin = at.token;
+        const char *said = cagd_read_words(&at);
+        for (size_t k = 0; said != NULL && at.token == t && k < sizeof words / sizeof *words; k++)
+            if (is_said(said, words[k]))
+                return begin > first && strchr(",;", begin[-1].word[0]) != NULL ? begin - 1 : begin;
+    }
+    int at = t->from;
+    while (at > 0 && r->text[at - 1] == ' ')
+        at--;
+    return at >= 4 && memcmp(r->text + at - 4, "quad", 4) == 0 ? t : NULL;
+}
+
+/* Whether the letter stands from `first` to `end`, but not from `low` to `high`. */
+static int is_besides(const char *letter, const cagd_token *first, const cagd_token *end, const cagd_token *low,
+                      const cagd_token *high)
+{
+    for (const cagd_token *t = first; t < end; t++)
+        if ((t < low || t >= high) && t->kind == CAGD_TOKEN_LETTER && strcmp(t->word, letter) == 0)
+            return 1;
+    return 0;
+}
+
+/* The tokens without those from `from` to `to`, r->token being the first. */
+static const cagd_token *without(cagd_reader *r, const cagd_token *from, const cagd_token *to)
+{
+    const cagd_token *end = to;
+    while (end->kind != CAGD_TOKEN_END)
+        end++;
+    long before = from - r->token, behind = end - to + 1;
+    cagd_token *list = cagd_region_array((int)(before + behind), 1, sizeof *list);
+    if (list == NULL)
+        return NULL;
+    for (long k = 0; k < before + behind; k++)
+        list[k] = k < before ? r->token[k] : to[k - before];
+    return list;
+}
+
+/* The first range of an index that stands in what is supposed, from `low` to `high`, and is about another part of it; its letter means nothing else, or, with
+ * `known`, is a whole number that was declared.  NULL where there is none. */
+static const cagd_token *range_within(cagd_reader *r, int known, const cagd_tree *end[2], const cagd_token **from,
+                                      const cagd_token **to)
+{
+    const cagd_token *first = r->token, *last = end_of_supposed(r);
+    for (const cagd_token *t = first; t < last; t++) {
+        int close;
+        const cagd_variable *v = t->kind == CAGD_TOKEN_LETTER ? cagd_declared(r->scope, t->word) : NULL;
+        if (!cagd_begins_range(t) || (cagd_is_known(r, t->word) && !(known && v != NULL && v->whole)) ||
+            (*from = before_range(r, first, t, &close)) == NULL)
+            continue;
+        struct cagd_bound room[CAGD_MOST_INDICES];
+        const struct cagd_bound *outside = r->bound;
+        int used = 0;
+        for (const cagd_token *m = first; m < last && used < CAGD_MOST_INDICES; m++) /* they may have one another */
+            if (m != t && cagd_begins_range(m) && !cagd_is_known(r, m->word)) {
+                room[used] = (struct cagd_bound){m->word, r->bound};
+                r->bound = &room[used++];
+            }
+        r->token = t;
+        int is = cagd_read_index_range(r, &end[0], &end[1]);
+        *to = r->token;
+        r->token = first, r->bound = outside;
+        if (!is || (close && strcmp((*to)->word, ")") != 0))
+            continue;
+        *to += close;
+        if (*from == first && strchr(",;", (*to)->word[0]) != NULL && (*to)->kind != CAGD_TOKEN_END)
+            ++*to;
+        if (v != NULL || is_besides(t->word, first, last, *from, *to))
+            return t;
+    }
+    return NULL;
+}
+
+/* Takes the ranges out of what is supposed and comes next; their letters are known from here on. */
+static int take_ranges(cagd_reader *r, int known, struct own_ranges *own)
+{
+    const cagd_tree *end[2];
+    const cagd_token *from, *to, *t;
+    own->count = 0;
+    while (own->count < CAGD_MOST_INDICES && (t = range_within(r, known, end, &from, &to)) != NULL) {
+        const cagd_variable *v = cagd_declared(r->scope, t->word);
+        const cagd_token *list = without(r, from, to);
+        if (list == NULL)
+            return 0;
+        r->token = list;
+        if (v != NULL && v->whole)
+            continue;
+        own->letter[own->count] = (struct cagd_bound){t->word, r->bound};
+        own->low[own->count] = end[0], own->high[own->count] = end[1];
+        r->bound = &own->letter[own->count++];
+    }
+    return 1;
+}
+
+enum { MOST_WRITTEN_OUT = 12 };
+
+/* t for all numbers of the range; where its ends are numbers, not many, one behind another. */
+static const cagd_tree *for_all_of(cagd_reader *r, const cagd_tree *t, const char *letter, const cagd_tree *low,
+                                   const cagd_tree *high)
+{
+    const cagd_tree *list[MOST_WRITTEN_OUT];
+    if (low->kind == CAGD_NUMBER && high->kind == CAGD_NUMBER && cagd_is_whole_q(low->number) &&
+        cagd_is_whole_q(high->number)) {
+        long first = mpz_get_si(mpq_numref(low->number.at)), last = mpz_get_si(mpq_numref(high->number.at));
+        if (first <= last && last - first < MOST_WRITTEN_OUT) {
+            for (long k = first; k <= last; k++)
+                list[k - first] = cagd_tree_with(t, letter, cagd_tree_number(k, low->from, low->to));
+            return first == last ? list[0] : cagd_new_of(r, CAGD_ALL, t->from, (int)(last - first) + 1, list);
+        }
+    }
+    cagd_tree *all = cagd_new_of(r, CAGD_FOR_ALL, t->from, 3, (const cagd_tree *[]){low, high, t});
+    if (all != NULL)
+        all->head = letter;
+    return all;
+}
+
+/* What was supposed, for all of its own ranges: each of its parts for those whose letters it has, the ends of which may have other letters. */
+static const cagd_tree *for_own_ranges(cagd_reader *r, const cagd_tree *t, const struct own_ranges *own)
+{
+    if (t == NULL || own->count == 0)
+        return t;
+    if (t->kind == CAGD_ALL) {
+        const cagd_tree *list[CAGD_MOST_CHILDREN];
+        int count = 0;
+        for (int k = 0; k < t->count; k++) {
+            const cagd_tree *one = for_own_ranges(r, t->at[k], own);
+            const cagd_tree *const *parts = one != NULL && one->kind == CAGD_ALL ? one->at : &one;
+            int several = one != NULL && one->kind == CAGD_ALL ? one->count : 1;
+            if (one == NULL || count + several > CAGD_MOST_CHILDREN)
+                return one == NULL ? NULL : cagd_refuse_tree(r, t, "more than %d conditions", CAGD_MOST_CHILDREN);
+            for (int m = 0; m < several; m++)
+                list[count++] = parts[m];
+        }
+        return cagd_new_of(r, CAGD_ALL, t->from, count, list);
+    }
+    int is_done[CAGD_MOST_INDICES] = {0};
+    for (int more = 1;
+         more && t != NULL;) { /* those in the ends of which another letter is stand inside of that one's */
+        more = 0;
+        for (int k = 0; k < own->count && t != NULL; k++) {
+            int waits = is_done[k] || !cagd_tree_has(t, own->letter[k].head);
+            for (int m = 0; m < own->count && !waits; m++)
+                waits = m != k && !is_done[m] && cagd_tree_has(t, own->letter[m].head) &&
+                        (cagd_tree_has(own->low[m], own->letter[k].head) ||
+                         cagd_tree_has(own->high[m], own->letter[k].head));
+            if (waits)
+                continue;
+            is_done[k] = more = 1;
+            t = for_all_of(r, t, own->letter[k].head, own->low[k], own->high[k]);
+        }
+    }
+    return t;
+}
+
 /* What follows is what is supposed: "if", \forall of names that have a meaning, a bracket with a relation in it, names and \in. */
 static int pass_supposed(cagd_reader *r)
 {
@@ -358,7 +561,7 @@ static int pass_supposed(cagd_reader *r)
 }
 
 /* What is supposed, behind what passes it; a round bracket around it is passed. */
-static const cagd_tree *supposed(cagd_reader *r)
+static const cagd_tree *supposed_as_it_stands(cagd_reader *r)
 {
     const cagd_token *here = r->token;
     int bracket = cagd_is_truth_in_brackets(r) && cagd_next_is(r, "(");
@@ -369,6 +572,15 @@ static const cagd_tree *supposed(cagd_reader *r)
     }
     r->token = here;
     return cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_alternatives(r);
+}
+
+static const cagd_tree *supposed(cagd_reader *r)
+{
+    struct own_ranges own;
+    const struct cagd_bound *outside = r->bound;
+    const cagd_tree *t = take_ranges(r, 0, &own) ? for_own_ranges(r, supposed_as_it_stands(r), &own) : NULL;
+    r->bound = outside;
+    return t;
 }
 
 /* Dots that leave members of a chain out, between `first` and here: of what is supposed every one is needed. */
@@ -382,6 +594,15 @@ static int refuse_dots(cagd_reader *r, const cagd_token *first)
     return 1;
 }
 
+/* Whether what comes next is supposed, and what is said stands behind it. */
+static int is_supposed_first(const cagd_reader *r)
+{
+    static const char *const words[] = {"then", "implies", "implies that", NULL};
+    cagd_reader at = *r;
+    at.token = end_of_supposed(r);
+    return cagd_next_is(&at, "\\Rightarrow") || pass_words(&at, words);
+}
+
 const cagd_tree *cagd_read_truth(cagd_reader *r)
 {
     static const char *const if_words[] = {"if", "when", "whenever", "suppose", "suppose that", NULL};
@@ -391,7 +612,13 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     int from = first->from, begins_with_if = pass_words(r, if_words);
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return quantified(r);
-    const cagd_tree *a = cagd_read_alternatives(r), *b = a;
+    struct own_ranges own = {.count = 0};
+    const struct cagd_bound *outside = r->bound;
+    if ((begins_with_if || is_supposed_first(r)) && !take_ranges(r, 0, &own))
+        return NULL;
+    first = r->token;
+    const cagd_tree *a = for_own_ranges(r, cagd_read_alternatives(r), &own), *b = a;
+    r->bound = outside;
     if (a == NULL)
         return NULL;
     second = r->token;
