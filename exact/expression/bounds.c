@@ -45,6 +45,8 @@ static int is_constant(const cagd_scope *scope, const cagd_tree *t, const cagd_t
     return is;
 }
 
+int cagd_is_constant(const cagd_scope *scope, const cagd_tree *t) { return is_constant(scope, t, NULL, 0); }
+
 /* Two of the names u_i that do not depend on another one: of knots u_i <= u < u_{i+1} is a span. */
 static int are_knots(const cagd_scope *scope, const cagd_tree *a, const cagd_tree *b, const char *head)
 {

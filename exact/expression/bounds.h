@@ -8,6 +8,8 @@
 
 /* Names without meaning and numbers alone: a condition, if it is no statement. */
 int cagd_is_of_plain_names(const cagd_scope *scope, const cagd_tree *t);
+/* Whether it has one value: numbers, whole numbers, and names that were defined by these alone, as knots u_i = i. */
+int cagd_is_constant(const cagd_scope *scope, const cagd_tree *t);
 /* A relation, other than =, of a variable and constants, or of a variable between two constants or two knots, u_i <= u < u_{i+1}; of the
  * variable no condition of the scope speaks, nor the premise, which may be NULL. */
 int cagd_is_range_of_name(const cagd_scope *scope, const cagd_tree *t, const cagd_tree *premise);

@@ -4,6 +4,7 @@
  *     A \Rightarrow B      A \iff B      B \text{ if } A      A \lor B      \neg (A)
  *
  * A comma between conditions is "and", and binds closer than these. */
+#include "exact/expression/bounds.h"
 #include "exact/expression/reader.h"
 #include "exact/words.h"
 
@@ -546,39 +547,97 @@ static const cagd_tree *for_own_ranges(cagd_reader *r, const cagd_tree *t, const
     return t;
 }
 
+/* How what is supposed begins: with "for" and what may be a list of ranges, with "if", or with no word. */
+enum supposing { NOT_SUPPOSED, FOR_RANGES, BY_A_WORD, WITHOUT_WORD };
+
 /* What follows is what is supposed: "if", \forall of names that have a meaning, a bracket with a relation in it, names and \in. */
-static int pass_supposed(cagd_reader *r)
+static enum supposing pass_supposed(cagd_reader *r)
 {
-    static const char *const words[] = {"if",         "when",     "whenever",      "for",      "for all", "for every",
-                                        "for any",    "for each", "provided that", "provided", "where",   "with",
-                                        "as long as", NULL};
+    static const char *const ranges[] = {"for", "for all", "for every", "for any", "for each", NULL};
+    static const char *const words[] = {"if",   "when",       "whenever", "provided that", "provided", "where",
+                                        "with", "as long as", NULL};
     const cagd_token *here = r->token;
     cagd_pass(r, ",");
-    if (pass_words(r, words) || cagd_pass(r, "\\forall") || cagd_next_is_member(r) || cagd_is_truth_in_brackets(r))
-        return 1;
+    if (pass_words(r, ranges) || cagd_pass(r, "\\forall"))
+        return FOR_RANGES;
+    if (pass_words(r, words))
+        return BY_A_WORD;
+    if (cagd_next_is_member(r) || cagd_is_truth_in_brackets(r))
+        return WITHOUT_WORD;
     r->token = here;
-    return cagd_pass(r, "\\Leftarrow");
+    return cagd_pass(r, "\\Leftarrow") ? BY_A_WORD : NOT_SUPPOSED;
+}
+
+/* Behind a range, without "if", nobody knows whether another relation is said or supposed; bounds of variables are supposed. */
+static int is_unclear(cagd_reader *r, const cagd_tree *t, int is_first, int behind_range, enum supposing how)
+{
+    int is = !is_first && behind_range && t->kind == CAGD_RELATION && !cagd_is_range_of_name(r->scope, t, NULL) &&
+             (how == WITHOUT_WORD || (how == FOR_RANGES && !cagd_is_of_plain_names(r->scope, t)));
+    return is && cagd_refuse_tree(r, t, CAGD_SAID_OR_SUPPOSED) == NULL;
+}
+
+/* The comma, or "and", behind a part of what is supposed, if another part comes next. */
+static int pass_to_part(cagd_reader *r)
+{
+    static const char *const and[] = {"and", "and all", "and for all", NULL};
+    static const char *const no_part[] = {"\\text", "\\mbox", "\\textrm", "\\Rightarrow", "\\iff", "\\forall", "\\\\",
+                                          "\\end",  ".",      ")"};
+    const cagd_token *here = r->token;
+    int is = cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_pass(r, "\\land") || pass_words(r, and);
+    for (size_t k = 0; k < sizeof no_part / sizeof *no_part && is; k++)
+        is = r->token->kind != CAGD_TOKEN_END && !cagd_next_is(r, no_part[k]);
+    if (!is)
+        r->token = here;
+    return is;
+}
+
+/* What is supposed, parts with commas between, each names and \in, or conditions. */
+static const cagd_tree *parts_supposed(cagd_reader *r, enum supposing how)
+{
+    const cagd_tree *list[CAGD_MOST_CHILDREN];
+    int count = 0, from = r->token->from, behind_range = 0;
+    do {
+        int member = cagd_next_is_member(r);
+        const cagd_tree *t = member ? cagd_read_members(r) : cagd_read_alternatives(r);
+        if (t == NULL)
+            return NULL;
+        const cagd_tree *const *parts = t->kind == CAGD_ALL ? t->at : &t;
+        int several = t->kind == CAGD_ALL ? t->count : 1;
+        if (count + several > CAGD_MOST_CHILDREN)
+            return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
+        for (int k = 0; k < several; k++) {
+            if (!member && is_unclear(r, parts[k], count == 0, behind_range, how))
+                return NULL;
+            behind_range |= member || cagd_is_range_of_name(r->scope, parts[k], NULL);
+            list[count++] = parts[k];
+        }
+    } while (cagd_next_is_member(r) || pass_to_part(r));
+    return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
 }
 
 /* What is supposed, behind what passes it; a round bracket around it is passed. */
-static const cagd_tree *supposed_as_it_stands(cagd_reader *r)
+static const cagd_tree *supposed_as_it_stands(cagd_reader *r, enum supposing how)
 {
     const cagd_token *here = r->token;
-    int bracket = cagd_is_truth_in_brackets(r) && cagd_next_is(r, "(");
-    r->token += bracket;
-    if (cagd_next_is_member(r) && bracket) {
-        const cagd_tree *t = cagd_read_members(r);
-        return t != NULL && cagd_expect(r, ")", "the bracket") ? t : NULL;
+    int depth = r->depth;
+    if (cagd_is_truth_in_brackets(r) && cagd_pass(r, "(")) {
+        const cagd_tree *t = parts_supposed(r, how);
+        if (t != NULL && cagd_pass(r, ")") &&
+            (r->token->kind == CAGD_TOKEN_END || strchr(".,;", r->token->word[0]) != NULL))
+            return t;
+        if (t == NULL && strcmp(r->error->message, CAGD_SAID_OR_SUPPOSED) == 0)
+            return NULL;
+        r->token = here, r->depth = depth;
+        *r->error = (cagd_reading_error){0};
     }
-    r->token = here;
-    return cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_alternatives(r);
+    return parts_supposed(r, how);
 }
 
-static const cagd_tree *supposed(cagd_reader *r)
+static const cagd_tree *supposed(cagd_reader *r, enum supposing how)
 {
     struct own_ranges own;
     const struct cagd_bound *outside = r->bound;
-    const cagd_tree *t = take_ranges(r, 0, &own) ? for_own_ranges(r, supposed_as_it_stands(r), &own) : NULL;
+    const cagd_tree *t = take_ranges(r, 0, &own) ? for_own_ranges(r, supposed_as_it_stands(r, how), &own) : NULL;
     r->bound = outside;
     return t;
 }
@@ -609,15 +668,18 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     static const char *const then_words[] = {"then", "implies", "implies that", NULL};
     static const char *const iff_words[] = {"if and only if", "iff", "exactly when", "is equivalent to", NULL};
     const cagd_token *first = r->token, *second;
+    enum supposing how = NOT_SUPPOSED;
     int from = first->from, begins_with_if = pass_words(r, if_words);
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return quantified(r);
     struct own_ranges own = {.count = 0};
     const struct cagd_bound *outside = r->bound;
-    if ((begins_with_if || is_supposed_first(r)) && !take_ranges(r, 0, &own))
+    int begins = begins_with_if || is_supposed_first(r);
+    if (begins && !take_ranges(r, 0, &own))
         return NULL;
     first = r->token;
-    const cagd_tree *a = for_own_ranges(r, cagd_read_alternatives(r), &own), *b = a;
+    const cagd_tree *a = begins ? for_own_ranges(r, parts_supposed(r, BY_A_WORD), &own) : cagd_read_alternatives(r),
+                    *b = a;
     r->bound = outside;
     if (a == NULL)
         return NULL;
@@ -630,7 +692,7 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     if (begins_with_if && !implies)
         return cagd_refuse_token(r, "expected \\text{then} behind what is supposed, not %s", cagd_name_of_next(r));
     int iff = !implies && (cagd_pass(r, "\\iff") || pass_words(r, iff_words)),
-        implied = !implies && !iff && pass_supposed(r);
+        implied = !implies && !iff && (how = pass_supposed(r)) != NOT_SUPPOSED;
     if (!implies && !iff && !implied)
         return a;
     if (implied && only_names(r))
@@ -639,9 +701,16 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
         return NULL;
     second = r->token;
     b = implies                  ? cagd_read_truth(r)
-        : implied                ? supposed(r)
+        : implied                ? supposed(r, how)
         : cagd_next_is_member(r) ? cagd_read_members(r)
                                  : cagd_read_alternatives(r);
+    for (int k = 0; b == NULL && k < own.count; k++) /* a_j = 0, j = 1, 2 \Rightarrow b_j = 0 */
+        for (const cagd_token *t = second; t->kind != CAGD_TOKEN_END; t++)
+            if (t->from == r->error->from && strcmp(t->word, own.letter[k].head) == 0) {
+                *r->error = (cagd_reading_error){0}, r->token = t;
+                return cagd_refuse_token(
+                    r, "is the range of %s that of what is supposed alone? write it behind all, or in :for:", t->word);
+            }
     if (b == NULL || (!implies && refuse_dots(r, second)))
         return NULL;
     const cagd_tree *pair[2] = {implied ? b : a, implied ? a : b};
@@ -671,4 +740,21 @@ const cagd_tree *cagd_read_for_all_numbers(cagd_reader *r)
         said[count++] = a->at[0], a = a->at[1];
     const cagd_tree *all = count > 1 ? cagd_new_of(r, CAGD_ALL, from, count, said) : said[0];
     return cagd_new_of(r, CAGD_IMPLIES, from, 2, (const cagd_tree *[]){all, a});
+}
+
+const cagd_tree *cagd_read_supposed(const cagd_scope *scope, const char *text, int from, int to,
+                                    cagd_reading_error *error)
+{
+    cagd_reader r;
+    struct own_ranges own;
+    if (!cagd_reader_open(&r, scope, text, from, to, error))
+        return NULL;
+    enum supposing how = pass_supposed(&r);
+    if (!take_ranges(&r, 1, &own) || r.token->kind == CAGD_TOKEN_END)
+        return NULL;
+    const cagd_tree *t = for_own_ranges(&r, supposed_as_it_stands(&r, how == NOT_SUPPOSED ? WITHOUT_WORD : how), &own);
+    cagd_pass(&r, ".");
+    if (t != NULL && r.token->kind != CAGD_TOKEN_END)
+        return cagd_refuse_token(&r, "expected the end of the formula, not %s", cagd_name_of_next(&r));
+    return t;
 }
