@@ -11,6 +11,8 @@
 #include "exact/number/recorder.h"
 #include "exact/words.h"
 
+#include <string.h>
+
 enum { FURTHER_CASES = 248, MOST_CHANGES = 60 };
 
 /* For the only whole number, whose first cases hold. */
@@ -219,9 +221,46 @@ static int tells_a_name(const cagd_scope *scope, const cagd_tree *t)
            t->at[0]->count == 0 && cagd_defined(scope, t->at[0]->head) == NULL;
 }
 
+/* Whether the letter is an index of names of the tree. */
+static int is_index_in(const cagd_tree *t, const char *letter, int in_index)
+{
+    int is = in_index && t->kind == CAGD_NAME && t->count == 0 && strcmp(t->head, letter) == 0;
+    for (int k = 0; k < t->count && !is; k++)
+        is = is_index_in(t->at[k], letter, in_index || (t->kind == CAGD_NAME && k < t->lower + t->upper));
+    return is;
+}
+
+/* Whether it runs between ends, and is no last index, as n is. */
+static int is_running(const cagd_scope *scope, const cagd_variable *v)
+{
+    int is = v->whole && v->high != NULL && !v->low_open && !v->high_open && cagd_declared(scope, v->head) == v &&
+             cagd_defined(scope, v->head) == NULL && strchr("nmNM", v->head[0]) == NULL;
+    for (const cagd_variable *w = scope->variables; w != NULL && is; w = w->next)
+        is = (w->low == NULL || !cagd_tree_has(w->low, v->head)) &&
+             (w->high == NULL || !cagd_tree_has(w->high, v->head));
+    return is;
+}
+
+/* t, which is supposed, for all values of the running letters that are indices in it and, where `said` is no NULL, do not stand in that. */
+static const cagd_tree *for_every_letter(const cagd_scope *scope, const cagd_tree *t, const cagd_tree *said)
+{
+    for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
+        if (!is_running(scope, v) || !is_index_in(t, v->head, 0) ||
+            (said != NULL && cagd_depends_on(scope, said, v->head)))
+            continue;
+        cagd_tree *all = cagd_tree_new(CAGD_FOR_ALL, t->from, t->to, 3);
+        if (all == NULL)
+            return t;
+        all->head = v->head, all->at[0] = v->low, all->at[1] = v->high, all->at[2] = t;
+        t = all;
+    }
+    return t;
+}
+
 /* What stands behind a formula and can be meant as supposed. */
 struct parts {
-    const cagd_tree *where, *supposed, *statement; /* the first that is no range, or else the first; all of them; what the statement is then */
+    const cagd_tree *where, *supposed,
+        *statement; /* the first that is no range, or else the first; all of them; what the statement is then */
     int are_ranges;
 };
 
@@ -241,8 +280,7 @@ static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct par
     *out = (struct parts){.are_ranges = 1};
     for (int k = 0; k < t->count; k++) {
         int is_range = cagd_is_range_of_name(scope, t->at[k], premise),
-            plain = is_range || (k > 0 && (tells_a_name(scope, t->at[k]) ||
-                                           (cagd_is_of_plain_names(scope, t->at[k]))));
+            plain = is_range || (k > 0 && (tells_a_name(scope, t->at[k]) || (cagd_is_of_plain_names(scope, t->at[k]))));
         cagd_tree *to = plain ? supposed : said;
         to->at[to->count++] = t->at[k];
         if (plain && (out->where == NULL || (!is_range && out->are_ranges)))
@@ -259,6 +297,8 @@ static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct par
     }
     if (supposed->count == 0 || said->count == 0)
         return 0;
+    for (int k = 0; k < supposed->count; k++)
+        supposed->at[k] = for_every_letter(scope, supposed->at[k], said);
     out->supposed = supposed->count == 1 ? supposed->at[0] : supposed;
     both->at[0] = premise, both->at[1] = out->supposed;
     implication->at[0] = premise != NULL ? both : out->supposed;
@@ -267,10 +307,33 @@ static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct par
     return 1;
 }
 
+/* R_i \ge 0 \text{ if } \omega_i > 0, i = 0, 1, 2, which fails if it is supposed of one i each time: where it is supposed of all of them, does it not? */
+static int fails_for_one_alone(const cagd_scope *scope, const cagd_tree *t, double seconds, cagd_finding *out)
+{
+    if (t->kind != CAGD_IMPLIES || t->at[1]->from > t->at[0]->from)
+        return 0;
+    cagd_tree *other = cagd_tree_new(CAGD_IMPLIES, t->from, t->to, 2);
+    cagd_finding *second = region_bytes(sizeof *second);
+    const cagd_tree *supposed = for_every_letter(scope, t->at[0], NULL);
+    if (other == NULL || second == NULL || supposed == t->at[0])
+        return 0;
+    other->at[0] = supposed, other->at[1] = t->at[1];
+    check(scope, other, seconds, 0, second);
+    if (second->answer == CAGD_FAILS)
+        return 0;
+    *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = t->at[0]};
+    out->why =
+        "it fails if this is supposed for one index each time, and not where it is for all of them: then write it in "
+        ":for: or in a let block";
+    return 1;
+}
+
 void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
 {
     struct parts parts;
     check(scope, statement, seconds, 0, out);
+    if (out->answer == CAGD_FAILS && fails_for_one_alone(scope, statement, seconds, out))
+        return;
     if (out->answer == CAGD_HOLDS || !suppose_parts(scope, statement, &parts) ||
         (out->answer == CAGD_UNDECIDED && !parts.are_ranges))
         return;
@@ -278,7 +341,8 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
     if (second == NULL)
         return;
     check(scope, parts.statement, seconds, 0, second);
-    if (second->answer == CAGD_FAILS || parts.are_ranges) { /* in both readings, with numbers that satisfy what can be a condition */
+    if (second->answer == CAGD_FAILS ||
+        parts.are_ranges) { /* in both readings, with numbers that satisfy what can be a condition */
         *out = *second;
         out->supposed = out->answer == CAGD_HOLDS ? parts.supposed : NULL;
         return;
