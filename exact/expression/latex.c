@@ -443,6 +443,22 @@ static int behind_small_group(const cagd_latex_text *t, int k, int stop)
     return k + 2 < stop && strchr("=<>+-", t->bytes[k + 1]) != NULL && t->bytes[k + 2] == '}' ? k + 3 : k;
 }
 
+/* Comments at k, on the line on which the environment begins: they belong to all of its rows.  What is behind them. */
+static int notes_of_all(struct source *s, int k, int stop, cagd_latex_note shared[], int *shares)
+{
+    const cagd_latex_text *t = s->in;
+    int at = k;
+    while (at < stop && (t->bytes[at] == ' ' || t->bytes[at] == '\t'))
+        at++;
+    if (at == stop || t->bytes[at] != '%')
+        return k;
+    cagd_latex_note note;
+    int end = read_note(s, at, &note);
+    if (!is_let(s, &note))
+        keep_note(s, shared, shares, note);
+    return end;
+}
+
 /* The body of an environment, in[k..stop). */
 static void read_body(struct source *s, int k, int stop, enum rows rows)
 {
@@ -454,6 +470,7 @@ static void read_body(struct source *s, int k, int stop, enum rows rows)
     int shares = s->waits, first = s->out->items;
     memcpy(shared, s->waiting, sizeof shared);
     s->waits = 0;
+    k = notes_of_all(s, k, stop, shared, &shares);
     while (k < stop && region_faults == 0) {
         int next = behind_word(t, k), set = depth == 0 || is_setting(inside[depth - 1]);
         char c = t->bytes[k];
