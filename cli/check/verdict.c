@@ -4,6 +4,7 @@
 #include "cli/layout.h"
 #include "cli/terminal.h"
 #include "cli/tex.h"
+#include "exact/expression/bounds.h"
 #include "exact/expression/depends.h"
 #include "exact/words.h"
 
@@ -215,6 +216,14 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
          k++, last = one) {
         one = f->supposed->kind == CAGD_ALL ? f->supposed->at[k] : f->supposed;
         if (is_part_of(one, last))
+            continue;
+        text = append(text, "%s$%s$", comma, source(d, one));
+        comma = ", ";
+    }
+    const cagd_tree *premise = s->tree->kind == CAGD_IMPLIES ? s->tree->at[0] : NULL;
+    for (int k = 0; premise != NULL && k < (premise->kind == CAGD_ALL ? premise->count : 1); k++) {
+        one = premise->kind == CAGD_ALL ? premise->at[k] : premise;
+        if (!cagd_is_range_of_name(&s->scope, one, NULL) || is_part_of(one, k > 0 ? premise->at[k - 1] : NULL))
             continue;
         text = append(text, "%s$%s$", comma, source(d, one));
         comma = ", ";

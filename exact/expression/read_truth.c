@@ -319,6 +319,7 @@ const cagd_tree *cagd_read_members(cagd_reader *r)
     cagd_relation relation[2];
     int from = r->token->from, count = 0, names, bracket;
     do {
+        int begin = r->token->from;
         if (!read_names(r, name, &names, &bracket))
             return NULL;
         int outside = cagd_pass(r, "\\notin");
@@ -334,9 +335,9 @@ const cagd_tree *cagd_read_members(cagd_reader *r)
                 return NULL;
             if (count == CAGD_MOST_CHILDREN)
                 return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
-            list[count] = between(r, from, end, name[k], relation);
+            list[count] = between(r, begin, end, name[k], relation);
             if (outside)
-                list[count] = cagd_new_of(r, CAGD_NOT, from, 1, &list[count]);
+                list[count] = cagd_new_of(r, CAGD_NOT, begin, 1, &list[count]);
             if (list[count++] == NULL)
                 return NULL;
         }
