@@ -695,9 +695,10 @@ static int numbers(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         return 0;
     if (is_range)
         return declare(r, scope, name, v);
-    const cagd_definition *same = cagd_defined(scope, name->head);
-    if (same != NULL && same->body != NULL && same->body->from == v.low->from)
-        return 1;
+    for (const cagd_definition *same = scope->definitions; same != NULL; same = same->next)
+        if (strcmp(same->left->head, name->head) == 0 && same->body != NULL && same->body->from == v.low->from &&
+            same->left->from == name->from && same->left->to == name->to)
+            return 1; /* it was read before what stands before it */
     if (!is_left_side(r, name, 0))
         return 0;
     cagd_definition *d = cagd_define(scope, name);
