@@ -824,6 +824,13 @@ static void read_statement(struct document *d, const char *kind, int head, int a
         complain_of_reading(d, &error);
     else
         d->count += cagd_make_indices_whole(&f->scope, f->tree);
+    const cagd_variable *of;
+    const cagd_tree *unknown = f->tree != NULL ? cagd_unknown_in_bounds(&f->scope, f->tree, &of) : NULL;
+    if (unknown != NULL)
+        complain(d, printed, printed_end,
+                 "the bounds of %s have %s, which has no value here: expected, for instance, :for: %s = 1..4",
+                 of->left != NULL ? cagd_text_of(d->text + of->left->from, of->left->to - of->left->from) : of->head,
+                 unknown->head, unknown->head);
 }
 
 /* The value of a number, or of an end of a range. */

@@ -27,7 +27,8 @@ static int is_constant(const cagd_scope *scope, const cagd_tree *t, const cagd_t
 {
     enum { DEEPEST = 8 };
     int is = t->kind == CAGD_NUMBER || t->kind == CAGD_SUM || t->kind == CAGD_PRODUCT || t->kind == CAGD_NEGATIVE ||
-             t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_ROOT || t->kind == CAGD_NAME;
+             t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_ROOT || t->kind == CAGD_NAME ||
+             t->kind == CAGD_BINOMIAL || t->kind == CAGD_FACTORIAL;
     if (t->kind == CAGD_NAME && t->count == 0) {
         const cagd_variable *v = cagd_declared(scope, t->head);
         if ((v != NULL && v->whole) || (letters != NULL && cagd_tree_has(letters, t->head)) ||
@@ -81,4 +82,31 @@ int cagd_is_range_of_name(const cagd_scope *scope, const cagd_tree *t, const cag
     int which = t->count == 2 && is_free(scope, t->at[1], premise);
     return t->count == 2 && t->relation[0] != CAGD_EQUAL && is_free(scope, t->at[which], premise) &&
            is_constant(scope, t->at[1 - which], NULL, 0);
+}
+
+/* A name that means nothing, and is none of the letters of `left`. */
+static const cagd_tree *unknown_in(const cagd_scope *scope, const cagd_tree *t, const cagd_tree *left)
+{
+    const cagd_tree *found = NULL;
+    if (t == NULL)
+        return NULL;
+    if (t->kind == CAGD_NAME && t->count == 0 && strcmp(t->head, "\\pi") != 0 &&
+        cagd_declared(scope, t->head) == NULL && cagd_defined(scope, t->head) == NULL &&
+        !(left != NULL && cagd_tree_has(left, t->head)))
+        return t;
+    for (int k = 0; k < t->count && found == NULL && t->kind != CAGD_SUM_OVER && t->kind != CAGD_PRODUCT_OVER; k++)
+        found = unknown_in(scope, t->at[k], left);
+    return found;
+}
+
+const cagd_tree *cagd_unknown_in_bounds(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable **of)
+{
+    for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
+        const cagd_tree *t = unknown_in(scope, v->low, v->left);
+        t = t == NULL ? unknown_in(scope, v->high, v->left) : t;
+        *of = v;
+        if (t != NULL && cagd_declared(scope, v->head) == v && cagd_depends_on(scope, statement, v->head))
+            return t;
+    }
+    return NULL;
 }

@@ -13,4 +13,6 @@ int cagd_is_constant(const cagd_scope *scope, const cagd_tree *t);
 /* A relation, other than =, of a variable and constants, or of a variable between two constants or two knots, u_i <= u < u_{i+1}; of the
  * variable no condition of the scope speaks, nor the premise, which may be NULL. */
 int cagd_is_range_of_name(const cagd_scope *scope, const cagd_tree *t, const cagd_tree *premise);
+/* A name without a value in the bounds of a variable on which the statement depends, which goes to *of; NULL where there is none. */
+const cagd_tree *cagd_unknown_in_bounds(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable **of);
 #endif

@@ -470,7 +470,7 @@ static void read_body(struct source *s, int k, int stop, enum rows rows)
     int shares = s->waits, first = s->out->items;
     memcpy(shared, s->waiting, sizeof shared);
     s->waits = 0;
-    k = notes_of_all(s, k, stop, shared, &shares);
+    k = rows == EACH ? notes_of_all(s, k, stop, shared, &shares) : k;
     while (k < stop && region_faults == 0) {
         int next = behind_word(t, k), set = depth == 0 || is_setting(inside[depth - 1]);
         char c = t->bytes[k];

@@ -925,6 +925,23 @@ static void restrict_bounds(cagd_reader *r, const cagd_scope *before, cagd_varia
         v->first = mpz_get_si(mpq_numref(low->number.at)), v->last = mpz_get_si(mpq_numref(high->number.at));
 }
 
+/* Bounds of \lambda_i may have n, the range of which is told later, behind them or for a statement: a letter that last indices are called, or that
+ * has a range ahead. */
+static void bind_degrees(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDREN])
+{
+    int used = bind_ranges_ahead(r, room), depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 0 && strchr(",;", t->word[0]) != NULL)
+            break;
+        if (t->kind == CAGD_TOKEN_LETTER && t->word[1] == '\0' && strchr("nmNM", t->word[0]) != NULL &&
+            !cagd_is_known(r, t->word)) {
+            room[used] = (struct cagd_bound){t->word, r->bound};
+            r->bound = &room[used++];
+        }
+    }
+}
+
 /* -1 \le \lambda < 1: bounds of the only variable, or else a condition.  What was said before this list of ranges, in `before`, of a
  * variable that is no whole number is replaced; what this list says itself holds as well. */
 static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
@@ -934,7 +951,11 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     int count = 0, alone = 0, whole = 0, which = 0, from = r->token->from, up = 1, down = 1, some_index = 0;
     struct cagd_bound room[2 * CAGD_MOST_INDICES];
     const struct cagd_bound *outside = r->bound;
-    bind_letters(r, name_ahead(r), room);
+    struct cagd_bound degree[CAGD_MOST_CHILDREN];
+    const cagd_tree *name = name_ahead(r);
+    bind_letters(r, name, room);
+    if (name != NULL)
+        bind_degrees(r, degree);
     do {
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_INDICES - 1) != NULL;
