@@ -4,6 +4,7 @@
 #include "cli/layout.h"
 #include "cli/terminal.h"
 #include "cli/tex.h"
+#include "exact/expression/bounds.h"
 #include "exact/expression/depends.h"
 #include "exact/words.h"
 
@@ -139,6 +140,19 @@ static int is_part_of(const cagd_tree *t, const cagd_tree *before)
     return before != NULL && before->from <= t->from && t->to == before->to;
 }
 
+/* Whether the finding has names that are called as the variable, and of which its bounds are not. */
+static int has_others(const cagd_finding *f, const cagd_variable *v)
+{
+    int has = 0;
+    for (int k = 0; v->some && k < f->names && !has; k++)
+        if (is_of(f->name[k], v->head)) {
+            const char *index = f->name[k] + strlen(v->head);
+            long value = strtol(index + (*index == '{'), NULL, 10);
+            has = value < v->first || value > v->last;
+        }
+    return has;
+}
+
 const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     const cagd_variable *whole[16];
@@ -186,6 +200,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
                           : v->high_open  ? " < "
                                           : " \\le ",
                           source(d, v->high));
+        if (bounded && has_others(f, v))
+            text = append(text, " for $%s = %ld$ to $%ld$", letter, v->first, v->last);
         comma = ", ";
     }
     for (int k = 0; k < f->names; k++) {
@@ -210,6 +226,14 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
          k++, last = one) {
         one = f->supposed->kind == CAGD_ALL ? f->supposed->at[k] : f->supposed;
         if (is_part_of(one, last))
+            continue;
+        text = append(text, "%s$%s$", comma, source(d, one));
+        comma = ", ";
+    }
+    const cagd_tree *premise = s->tree->kind == CAGD_IMPLIES ? s->tree->at[0] : NULL;
+    for (int k = 0; premise != NULL && k < (premise->kind == CAGD_ALL ? premise->count : 1); k++) {
+        one = premise->kind == CAGD_ALL ? premise->at[k] : premise;
+        if (!cagd_is_range_of_name(&s->scope, one, NULL) || is_part_of(one, k > 0 ? premise->at[k - 1] : NULL))
             continue;
         text = append(text, "%s$%s$", comma, source(d, one));
         comma = ", ";
@@ -406,6 +430,12 @@ static const cagd_variable *unused_range(const struct document *d, const struct 
             is_used |= used[k] == v;
         for (const cagd_variable *other = d->scope.variables; other != NULL; other = other->next)
             is_used |= other == v;
+        for (int k = d->scope.condition_count; k < s->scope.condition_count; k++)
+            is_used |=
+                s->scope.conditions[k]->kind == CAGD_FOR_ALL && strcmp(s->scope.conditions[k]->head, v->head) == 0;
+        for (const cagd_definition *a = s->scope.definitions; a != NULL; a = a->next)
+            is_used |= a->when != NULL && cagd_tree_has(a->when, v->head) &&
+                       cagd_depends_on(&s->scope, s->tree, a->left->head);
         if (!is_used)
             return v;
     }

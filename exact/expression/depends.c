@@ -7,7 +7,7 @@ static int uses(const cagd_scope *scope, const cagd_tree *t, const char *head, i
     if (t == NULL || depth > 12)
         return t != NULL;
     if (t->head != NULL && strcmp(t->head, head) == 0)
-        return t->kind != CAGD_EVERY_INDEX;
+        return t->kind != CAGD_EVERY_INDEX && t->kind != CAGD_FOR_ALL;
     if (t->times != NULL && uses(scope, t->times, head, depth))
         return 1;
     for (int k = 0; k < t->count; k++)

@@ -508,6 +508,22 @@ static int is_whole_formula(const cagd_latex_text *t)
     return depth == 0 && has_relation && end > 0 && strchr(",;+-=<>*/", t->bytes[end - 1]) == NULL;
 }
 
+/* Comments at k, on the line on which the environment begins: they belong to all of its rows.  What is behind them. */
+static int notes_of_all(struct source *s, int k, int stop, cagd_latex_note shared[], int *shares)
+{
+    const cagd_latex_text *t = s->in;
+    int at = k;
+    while (at < stop && (t->bytes[at] == ' ' || t->bytes[at] == '\t'))
+        at++;
+    if (at == stop || t->bytes[at] != '%')
+        return k;
+    cagd_latex_note note;
+    int end = read_note(s, at, &note);
+    if (!is_let(s, &note))
+        keep_note(s, shared, shares, note);
+    return end;
+}
+
 /* The body of an environment, in[k..stop). */
 static void read_body(struct source *s, int k, int stop, enum rows rows)
 {
@@ -519,6 +535,7 @@ static void read_body(struct source *s, int k, int stop, enum rows rows)
     int shares = s->waits, first = s->out->items;
     memcpy(shared, s->waiting, sizeof shared);
     s->waits = 0;
+    k = rows == EACH ? notes_of_all(s, k, stop, shared, &shares) : k;
     while (k < stop && region_faults == 0) {
         int next = behind_word(t, k), set = depth == 0 || is_setting(inside[depth - 1]);
         char c = t->bytes[k];

@@ -289,6 +289,9 @@ static const char *key_of_one(const cagd_tree *name)
 
 static int declare(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, cagd_variable v)
 {
+    const cagd_variable *same = cagd_declared(scope, name->head);
+    if (v.whole && same != NULL && same->whole && same->low->from == v.low->from && v.low->to > v.low->from)
+        return 1; /* it was read before what stands before it */
     v.head = name->head, v.lower = name->lower, v.upper = name->upper, v.left = name;
     if (name->arguments > 0 || name->order > 0)
         return cagd_refuse_tree(r, name, "a variable has no arguments: define the function") != NULL;
@@ -487,29 +490,168 @@ static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *liste
     return read;
 }
 
-/* i = 0, \dots, n; i = 0, 1, 2; i = 0(2)8; or n = 3, which is a definition.  -1: it is no such thing. */
-static int numbers(cagd_reader *r, cagd_scope *scope)
+int cagd_begins_range(const cagd_token *t)
+{
+    return t->kind == CAGD_TOKEN_LETTER &&
+           (strcmp(t[1].word, "=") == 0 || (strcmp(t[1].word, "\\in") == 0 && strcmp(t[2].word, "\\{") == 0));
+}
+
+int cagd_read_index_range(cagd_reader *r, cagd_list *list)
 {
     struct place start = here(r);
+    if (!cagd_begins_range(r->token))
+        return 0;
+    const char *letter = r->token->word;
+    int is_set = strcmp(r->token[1].word, "\\in") == 0;
+    r->token += 2 + is_set;
+    if (cagd_read_list(r, letter, list) <= 0 || list->high == NULL || (is_set && !cagd_pass(r, "\\}")))
+        return back(r, start);
+    return 1;
+}
+
+/* Where a range of that letter stands ahead, behind a comma or words; NULL where it does not. */
+static const cagd_token *range_ahead(const cagd_reader *r, const char *letter)
+{
+    int depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 0 && t > r->token && strchr(",;}", t[-1].word[0]) != NULL && cagd_begins_range(t) &&
+            strcmp(t->word, letter) == 0)
+            return t;
+    }
+    return NULL;
+}
+
+/* Letters whose ranges stand ahead are known, though they are not read yet; their number. */
+static int bind_ranges_ahead(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDREN])
+{
+    int used = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++)
+        if (t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) && range_ahead(r, t->word) != NULL) {
+            room[used] = (struct cagd_bound){t->word, r->bound};
+            r->bound = &room[used++];
+        }
+    return used;
+}
+
+/* The range that this list has of the letter, before what is read or behind it; 0 where it has none with an end. */
+static int range_in_list(cagd_reader *r, const cagd_scope *before, const char *letter, cagd_list *list)
+{
+    const cagd_variable *v = cagd_declared(r->scope, letter);
+    struct place start = here(r);
+    if (v != NULL && v->whole && cagd_declared(before, letter) != v) {
+        *list = (cagd_list){v->low, v->high, v->step > 1 ? v->step : 1, v->listed, v->listed_count, 1};
+        return v->high != NULL && !v->low_open && !v->high_open;
+    }
+    const cagd_token *ahead = v == NULL && !cagd_is_known(r, letter) ? range_ahead(r, letter) : NULL;
+    if (ahead == NULL)
+        return 0;
+    struct cagd_bound room[CAGD_MOST_CHILDREN];
+    const struct cagd_bound *outside = r->bound;
+    bind_ranges_ahead(r, room);
+    r->token = ahead;
+    int is = cagd_read_index_range(r, list);
+    r->bound = outside;
+    back(r, start);
+    return is;
+}
+
+/* a_j = 0, j = 1, 2: the condition that the indices, letters, are within the ranges that the list has of them; NULL where it has none. */
+static const cagd_tree *within_ranges(cagd_reader *r, const cagd_scope *before, const cagd_tree *name)
+{
+    const cagd_tree *when = NULL;
+    cagd_list list;
+    for (int k = 0; k < name->lower + name->upper; k++)
+        if (name->at[k]->kind == CAGD_NAME && name->at[k]->count == 0 &&
+            range_in_list(r, before, name->at[k]->head, &list)) {
+            const cagd_tree *one = cagd_is_in_list(r, name->at[k], &list);
+            when = when == NULL ? one : cagd_new_of(r, CAGD_ALL, name->from, 2, (const cagd_tree *[]){when, one});
+        }
+    return when;
+}
+
+/* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
+static int numbers(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
+{
+    struct place start = here(r);
+    cagd_variable v = {0};
     const cagd_tree *name = declared_name(r);
     if (name == NULL || !cagd_pass(r, "="))
         return back(r, start) - 1;
     cagd_list list;
-    cagd_variable v = {0};
     int is_list = cagd_read_list(r, name->head, &list);
     if (is_list < 0)
         return 0;
     take_list(&v, &list);
     if (is_list)
         return declare(r, scope, name, v);
+    for (const cagd_definition *same = scope->definitions; same != NULL; same = same->next)
+        if (strcmp(same->left->head, name->head) == 0 && same->body != NULL && same->body->from == v.low->from &&
+            same->left->from == name->from && same->left->to == name->to)
+            return 1; /* it was read before what stands before it */
     if (cagd_refuse_values(r, name->head))
         return 0;
     if (!is_left_side(r, name, 0))
         return 0;
     cagd_definition *d = cagd_define(scope, name);
     if (d != NULL)
-        d->body = v.low;
+        d->body = v.low, d->when = within_ranges(r, before, name);
     return d != NULL;
+}
+
+/* The end of what comes next, if it is a range of an index, j = 0, 1, \dots, i - 1, or a chain with a name without indices in it, u_i \le u < u_{i+1}: both may have
+ * letters whose ranges stand ahead.  Otherwise its beginning. */
+static const cagd_token *end_of_item(cagd_reader *r)
+{
+    struct place start = here(r);
+    struct cagd_bound room[CAGD_MOST_CHILDREN];
+    const struct cagd_bound *outside = r->bound;
+    cagd_list list;
+    const cagd_token *end = start.token;
+    cagd_relation relation;
+    int used, depth = 0, alone = 0;
+    used = bind_ranges_ahead(r, room);
+    if (used > 0 && cagd_read_index_range(r, &list)) {
+        end = r->token;
+    } else if (used > 0 && !cagd_begins_range(start.token)) {
+        for (int begins = 1; r->token->kind != CAGD_TOKEN_END; r->token++) {
+            const cagd_token *t = r->token;
+            depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+            if (depth == 0 && strchr(",;", t->word[0]) != NULL)
+                break;
+            cagd_reader behind = *r;
+            behind.token = t + 1;
+            alone |= begins && depth == 0 && t->kind == CAGD_TOKEN_LETTER &&
+                     (cagd_relation_next(&behind, &relation) || strchr(",;", t[1].word[0]) != NULL);
+            begins = depth == 0 && cagd_relation_next(r, &relation);
+        }
+        end = alone ? r->token : start.token;
+    }
+    r->bound = outside;
+    back(r, start);
+    return end;
+}
+
+static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *listed);
+
+/* Letters of the range or chain that comes next, whose own ranges stand behind it, j = 0, 1, \dots, i - 1, i = 1, 2, \dots, n: these are read before it. */
+static void declare_ahead(cagd_reader *r, cagd_scope *scope, const cagd_scope *before, int depth)
+{
+    struct place start = here(r);
+    const cagd_token *end = depth < CAGD_MOST_INDICES ? end_of_item(r) : start.token;
+    for (const cagd_token *t = start.token; t < end; t++) {
+        const cagd_token *ahead =
+            t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) ? range_ahead(r, t->word) : NULL;
+        if (ahead == NULL || ahead < end)
+            continue;
+        cagd_scope as_it_was = *scope;
+        cagd_reading_error listed;
+        r->token = ahead;
+        declare_ahead(r, scope, before, depth + 1);
+        if ((strcmp(ahead[1].word, "\\in") == 0 ? elements(r, scope, &listed) : numbers(r, scope, before)) <= 0)
+            *scope = as_it_was;
+        back(r, start);
+    }
 }
 
 struct piece {
@@ -595,8 +737,9 @@ static const cagd_tree *letter_without_meaning(const cagd_reader *r, const cagd_
 }
 
 /* u_i \le u_{i+1}, the letter i meaning nothing: for every index. */
-static const cagd_tree *for_every_index(cagd_reader *r, const cagd_tree *t)
+static const cagd_tree *for_every_index(cagd_reader *r, const cagd_scope *before, const cagd_tree *t)
 {
+    cagd_list list;
     const cagd_tree *letter = letter_without_meaning(r, t, NULL, 0);
     const cagd_tree *other = letter != NULL ? letter_without_meaning(r, t, letter->head, 0) : NULL;
     if (letter == NULL)
@@ -604,6 +747,12 @@ static const cagd_tree *for_every_index(cagd_reader *r, const cagd_tree *t)
     if (other != NULL)
         return cagd_refuse_tree(r, other, "a condition for every index has one letter: %s or %s", letter->head,
                                 other->head);
+    if (range_in_list(r, before, letter->head, &list)) {
+        cagd_tree *all = (cagd_tree *)cagd_over_list(r, CAGD_FOR_ALL, t->from, letter->head, &list, t);
+        if (all != NULL)
+            all->to = t->to;
+        return all;
+    }
     cagd_tree *every = cagd_new(r, CAGD_EVERY_INDEX, t->from, 1);
     if (every != NULL)
         every->head = letter->head, every->at[0] = t, every->to = t->to;
@@ -656,6 +805,42 @@ static int is_each(const cagd_scope *scope, const cagd_tree *name)
     return 1;
 }
 
+static int is_whole_number(const cagd_tree *t) { return t->kind == CAGD_NUMBER && cagd_is_whole_q(t->number); }
+
+/* Bounds of a_j for j = 1, 2 are not those of a_3. */
+static int restrict_bounds(cagd_reader *r, const cagd_scope *before, cagd_variable *v)
+{
+    const cagd_tree *left = v->left;
+    cagd_list list;
+    v->some = left->lower == 1 && left->upper == 0 && left->at[0]->kind == CAGD_NAME && left->at[0]->count == 0 &&
+              range_in_list(r, before, left->at[0]->head, &list);
+    if (v->some && (list.count > 0 || list.step > 1))
+        return cagd_refuse_tree(r, left,
+                                "bounds for some indices that are not one behind another: write those of each alone") !=
+               NULL;
+    v->some = v->some && is_whole_number(list.low) && is_whole_number(list.high);
+    if (v->some)
+        v->first = mpz_get_si(mpq_numref(list.low->number.at)), v->last = mpz_get_si(mpq_numref(list.high->number.at));
+    return 1;
+}
+
+/* Bounds of \lambda_i may have n, the range of which is told later, behind them or for a statement: a letter that last indices are called, or that
+ * has a range ahead. */
+static void bind_degrees(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDREN])
+{
+    int used = bind_ranges_ahead(r, room), depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 0 && strchr(",;", t->word[0]) != NULL)
+            break;
+        if (t->kind == CAGD_TOKEN_LETTER && t->word[1] == '\0' && strchr("nmNM", t->word[0]) != NULL &&
+            !cagd_is_known(r, t->word)) {
+            room[used] = (struct cagd_bound){t->word, r->bound};
+            r->bound = &room[used++];
+        }
+    }
+}
+
 /* -1 \le \lambda < 1: bounds of the only variable, or else a condition.  What was said before this list of ranges, in `before`, of a
  * variable that is no whole number is replaced; what this list says itself holds as well. */
 static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
@@ -665,7 +850,11 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     int count = 0, alone = 0, whole = 0, which = 0, from = r->token->from, up = 1, down = 1, some_index = 0;
     struct cagd_bound room[2 * CAGD_MOST_INDICES];
     const struct cagd_bound *outside = r->bound;
-    bind_letters(r, name_ahead(r), room);
+    struct cagd_bound degree[CAGD_MOST_CHILDREN];
+    const cagd_tree *name = name_ahead(r);
+    bind_letters(r, name, room);
+    if (name != NULL)
+        bind_degrees(r, degree);
     do {
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_INDICES - 1) != NULL;
@@ -720,6 +909,8 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         }
         if (replaces) {
             take_letters(&v, p[which].tree, p, count);
+            if (!restrict_bounds(r, before, &v))
+                return 0;
             return cagd_declare(scope, v);
         }
     }
@@ -727,7 +918,7 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     for (int k = 0; k < count; k++)
         list[k] = p[k].tree;
     const cagd_tree *t = cagd_relate(r, from, count, list, relation);
-    return t != NULL && (t = for_every_index(r, t)) != NULL && cagd_suppose(scope, t);
+    return t != NULL && (t = for_every_index(r, before, t)) != NULL && cagd_suppose(scope, t);
 }
 
 /* The words before a range, of which "even" and "odd" say something of its letter: -1, 1; else 0. */
@@ -787,9 +978,10 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
                 continue;
         }
         cagd_share_value(r);
+        declare_ahead(r, scope, before, 0);
         int done = elements(r, scope, &listed);
         if (done < 0)
-            done = numbers(r, scope);
+            done = numbers(r, scope, before);
         if (done < 0)
             done = cagd_share_bounds(r) && chain(r, scope, before);
         if (!done && listed.from > r->error->from)

@@ -109,6 +109,9 @@ enum { CAGD_MOST_SHOWN = 8 };
 int cagd_read_list(cagd_reader *r, const char *letter, cagd_list *list);
 /* That the name is one of them, as a condition; an error where that depends on what the letters in the ends are. */
 const cagd_tree *cagd_is_in_list(cagd_reader *r, const cagd_tree *name, const cagd_list *list);
+/* What is said of each number of the list in the place of the letter, or of one of them, as the kind of a quantifier has it. */
+const cagd_tree *cagd_over_list(cagd_reader *r, cagd_tree_kind kind, int from, const char *letter,
+                                const cagd_list *list, const cagd_tree *body);
 /* i = 0, 1, \dots, n as a condition, if it comes next; NULL and no error where it does not. */
 const cagd_tree *cagd_read_list_condition(cagd_reader *r);
 /* Behind one value of the letter: whether others that are no whole numbers follow, t = 0, 1/2, 1: then an error. */
@@ -162,6 +165,10 @@ int cagd_share_bounds(cagd_reader *r);
 void cagd_share_value(cagd_reader *r);
 /* One condition: a chain of relations, or a truth in brackets. */
 const cagd_tree *cagd_read_condition(cagd_reader *r);
+/* Whether a letter and "=", or \in \{, begin there; and, if it is a range of whole numbers with an end, i = 0, 1, \dots, n, i = 0, 1, 2, i \in \{0, \dots, n\}:
+ * then it is passed.  Otherwise nothing is, and that is no error. */
+int cagd_begins_range(const cagd_token *t);
+int cagd_read_index_range(cagd_reader *r, cagd_list *list);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
 /* Whether a chain has relations of both directions. */
 int cagd_changes_direction(const cagd_relation relation[], int count);

@@ -38,10 +38,16 @@ int cagd_put_key(char key[], int room, const cagd_tree *t, const long index[])
     return used;
 }
 
+/* Whether the declaration says anything of the name with these indices. */
+static int is_within(const cagd_variable *v, const long index[])
+{
+    return !v->some || (v->first <= index[0] && index[0] <= v->last);
+}
+
 const cagd_variable *cagd_declared_for(const cagd_scope *scope, const cagd_tree *t, const char *key, const long index[])
 {
     const cagd_variable *v = scope->variables;
-    while (v != NULL && strcmp(v->head, t->head) != 0 && strcmp(v->head, key) != 0)
+    while (v != NULL && strcmp(v->head, key) != 0 && (strcmp(v->head, t->head) != 0 || !is_within(v, index)))
         v = v->next;
     if (v == NULL || v->left == NULL || strcmp(v->head, key) == 0)
         return v;

@@ -28,6 +28,8 @@ typedef struct cagd_variable {
     const cagd_tree *const
         *listed; /* the whole numbers, one by one, or NULL; low and high are then the first and the last of the list */
     int listed_count;
+    int some; /* the bounds are those of the indices `first` to `last` alone, and others have those of an earlier declaration */
+    long first, last;
     const struct cagd_variable *next;
 } cagd_variable;
 
