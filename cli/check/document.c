@@ -381,6 +381,16 @@ static const char *parameter_named(struct document *d, const cagd_scope *scope, 
     return t->head;
 }
 
+/* A name of which all values are asked for is no whole number, where it is an index, either. */
+static void be_real(cagd_scope *scope, const char *head)
+{
+    const cagd_variable *v = cagd_declared(scope, head);
+    cagd_variable real = v != NULL ? *v : (cagd_variable){0};
+    real.real = 1;
+    if (v != NULL && !v->whole)
+        cagd_declare(scope, real);
+}
+
 /* ---- what the ledger has as printed -------------------------------------------------------------------- */
 
 /* Text behind the text of the file, where formulas of the ledger are read; 0 where there is no room. */
@@ -584,6 +594,8 @@ static void read_statement(struct document *d, const char *kind, int head, int a
         complain_of_reading(d, &error);
     if (find_end > find)
         f->find = parameter_named(d, &f->scope, find, find_end);
+    if (f->find != NULL)
+        be_real(&f->scope, f->find);
     if (d->complaints > complaints)
         return;
     f->at = printed;
@@ -596,12 +608,14 @@ static void read_statement(struct document *d, const char *kind, int head, int a
     f->tree = cagd_read_statement(&f->scope, d->text, printed, printed_end, &error);
     if (f->tree == NULL)
         f->tree = with_ranges_behind(d, &f->scope, printed, printed_end, &error);
-    if (f->tree == NULL && is_tried)
+    if (f->tree != NULL)
+        error = (cagd_reading_error){0};
+    if (f->tree != NULL && cagd_make_indices_whole(&f->scope, f->tree, &error))
+        d->count++;
+    else if (is_tried)
         leave_out(d, f->name, printed, &error);
-    else if (f->tree == NULL)
-        complain_of_reading(d, &error);
     else
-        d->count += cagd_make_indices_whole(&f->scope, f->tree);
+        complain_of_reading(d, &error);
 }
 
 /* The value of a number, or of an end of a range. */

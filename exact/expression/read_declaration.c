@@ -377,7 +377,7 @@ static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first);
 /* ℕ, or \{0, \dots, n\}. */
 static int whole_numbers(cagd_reader *r, cagd_variable *v)
 {
-    v->whole = 1;
+    v->whole = 1, v->real = 0;
     v->low = cagd_tree_number(0, r->token->from, r->token->to);
     if (cagd_pass(r, "\\N"))
         return 1;
@@ -399,6 +399,7 @@ static int whole_numbers(cagd_reader *r, cagd_variable *v)
 /* Behind \in: \mathbb{R}, \mathbb{N}, \mathbb{Z}^+, [a,b], (a,b), \{0, \dots, n\}. */
 static int set(cagd_reader *r, cagd_variable *v)
 {
+    v->real = 1;
     if (cagd_pass(r, "\\R"))
         return dimension(r, v);
     if (cagd_next_is(r, "\\N") || cagd_next_is(r, "\\{"))
@@ -409,7 +410,7 @@ static int set(cagd_reader *r, cagd_variable *v)
         if (!cagd_next_is(r, "R") && !cagd_next_is(r, "N") &&
             !(cagd_next_is(r, "Z") && r->token[1].kind != CAGD_TOKEN_END && is_positive(r->token + 1 + braces)))
             return cagd_refuse_token(r, "expected \\mathbb{R} or \\mathbb{N}; whole numbers are n = 1..12") != NULL;
-        v->whole = letter->word[0] != 'R';
+        v->whole = letter->word[0] != 'R', v->real = !v->whole;
         r->token++;
         if (braces && !cagd_expect(r, "}", "the set"))
             return 0;
@@ -453,8 +454,9 @@ static int declare_one(cagd_scope *scope, const cagd_tree *name, cagd_variable b
     return one.head != NULL && cagd_declare(scope, one);
 }
 
-/* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma. */
-static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *listed)
+/* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma.  A number that has bounds by
+ * this list, which began with the scope `began`, keeps them. */
+static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, cagd_reading_error *listed)
 {
     const cagd_tree *name[CAGD_MOST_CHILDREN];
     struct place start = here(r);
@@ -494,7 +496,10 @@ static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *liste
             continue;
         }
         if (v.whole && before != NULL && before->low != NULL) /* n \ge 1, n \in \mathbb{N} */
-            w = *before, w.whole = 1;
+            w = *before, w.whole = 1, w.real = 0;
+        if (v.real && v.low == NULL && v.high == NULL && v.dimension == 0 && before != NULL && !before->whole &&
+            before != cagd_declared(began, name[k]->head)) /* 0 \le x \le 1, x \in \mathbb{R} */
+            w = *before, w.real = 1;
         if (!declare(r, scope, name[k], w))
             return 0;
     }
@@ -824,7 +829,7 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         while (cagd_read_words(r) != NULL || cagd_pass(r, "\\forall"))
             ;
         cagd_share_value(r);
-        int done = elements(r, scope, &listed);
+        int done = elements(r, scope, before, &listed);
         if (done < 0)
             done = numbers(r, scope);
         if (done < 0)

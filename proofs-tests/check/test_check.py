@@ -607,6 +607,34 @@ g(s,t) = s^2 t^3
         self.assertEqual(verdict("p \\ge 0", "n = 1", let)["verdict"], "holds")
         self.assertEqual(verdict("p \\ge 0", "p \\ge -1", let)["verdict"], "fails")
 
+    def test_an_index_with_bounds_can_be_a_real_parameter(self):
+        """What was said to be real is, wherever; so are names between whose bounds there are not two whole numbers.  0 <= alpha <= 1 is asked for."""
+        claim, let = r"p_{\alpha}(x) \ge 0", "p_{\\alpha}(x) = x^2 + \\alpha(\\alpha-1)\n"
+        for before, ranges, expected in (
+                (r"\alpha \in [0,1]", "n = 1", "fails"), (r"\alpha \in [0,\infty)", "n = 1", "fails"), ("", r"\alpha \in [0,1]", "fails"),
+                (r"\alpha \in \mathbb{R}", r"0 \le \alpha \le 1", "fails"), ("", r"0 \le \alpha \le 1, \alpha \in \mathbb{R}", "fails"), ("", r"0 < \alpha < 1", "fails"),
+                ("", r"0 < \alpha \le 1", "fails"), ("", r"\alpha \ge 1/2", "fails"), ("", r"\alpha \ge -\frac{1}{2}", "fails"), ("", r"\alpha > 0", "fails"), ("", r"\alpha = 0..1", "holds"),
+                ("", r"0 \le \alpha \le 1", None), ("", r"\alpha \ge 0", None), (r"0 \le \alpha \le 1", "n = 1", None), ("", r"n = 3, 0 \le \alpha \le n", None),
+                (r"0 \le x \le 1", r"0 \le \alpha \le x", "fails")):
+            with self.subTest(before=before, ranges=ranges):
+                if expected is not None:
+                    self.assertEqual(verdict(claim, ranges, let + before)["verdict"], expected)
+                else:
+                    self.assertIn("the index \\alpha has bounds and may be a whole number or a real one", check(document(claim, ranges, let + before)).stderr)
+        self.assertEqual(verdict(r"\alpha(1-\alpha) + 0 p_{\alpha}(x) \ge 0", r"0 \le \alpha \le 1, \alpha \in \mathbb{R}", let)["verdict"], "holds")
+        r = check(document(claim + r", \quad 0 \le \alpha \le 1", "n = 1", let))
+        self.assertIn("write \\alpha = 0, 1, \\dots for the first, \\alpha \\in [a, b] for the second", r.stderr)
+        let = "p_q(x) = x^2 + q(q-1)\n"
+        for ranges, expected in (("0 < q < 1", "fails"), ("0 < q \\le 1", "fails"), ("q > 0", "fails"), ("q \\in [0,1]", "fails"), ("q \\ge 1", None), ("0 \\le q \\le 1", None),
+                                 ("n = 3, 0 \\le q \\le n", "holds")):
+            with self.subTest(ranges=ranges):
+                r = check(document("p_q(x) \\ge 0", ranges, let), "--json")
+                self.assertEqual(json.loads(r.stdout)["statements"][0]["verdict"] if r.returncode != 2 else None, expected)
+        for letter in ("i", "j", "n", "\\ell"): # indices by their letter
+            self.assertEqual(verdict(f"p_{letter}(x) \\ge 0", f"0 \\le {letter} \\le 1", f"p_{letter}(x) = x^2 + {letter}({letter}-1)\n")["verdict"], "holds", letter)
+        r = check(":::{let}\n0 \\le \\lambda \\le 1\nT_{\\lambda} = \\lambda\n:::\n:::{statement} s\n:printed: T_{\\lambda} \\ge 1/2\n:find: \\lambda\n:::\n")
+        self.assertIn("It holds for 1/2 ≤ λ ≤ 1", r.stdout)
+
     def test_bounds_of_one_of_many(self):
         """Those of \\lambda_1 are not those of \\lambda_2, nor those of x_n the ones of all x_i."""
         let = "\\lambda_i \\in \\mathbb{R}\n"
