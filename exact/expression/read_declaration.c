@@ -143,6 +143,15 @@ static const cagd_tree *condition(cagd_reader *r)
 
 static int definition(cagd_reader *r, cagd_scope *scope);
 
+/* Whether an index is a number, or the same letter as another one. */
+static int has_index_of_its_own(const cagd_tree *left)
+{
+    for (int k = 0; k < left->count; k++)
+        if (left->at[k]->kind == CAGD_NUMBER || cagd_same_index(left, k) >= 0)
+            return 1;
+    return 0;
+}
+
 /* The right side of a definition, in which the arguments of the left side are known, and what stands behind it. */
 static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
 {
@@ -150,10 +159,21 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
     const struct cagd_bound *outside = r->bound;
     for (int k = 0; k < left->count; k++)
         if (left->at[k]->kind == CAGD_NAME) {
-            bound[k] = (struct cagd_bound){left->at[k]->head, r->bound};
+            bound[k] = (struct cagd_bound){left->at[k]->head, r->bound, 0};
             r->bound = &bound[k];
         }
+    int is_first = cagd_defined(scope, left->head) == NULL;
     cagd_definition *d = cagd_define(scope, left);
+    for (int k = left->lower + left->upper; d != NULL && k < left->count; k++) {
+        int arity = cagd_arity_of_argument(r, left->at[k]->head);
+        if (arity == 0)
+            continue;
+        if (!is_first || k >= 32 || has_index_of_its_own(left) || (d->functions != 0 && d->arity != arity))
+            return cagd_refuse_tree(r, left->at[k],
+                                    "%s is a function there: such a definition stands alone, and its indices are letters",
+                                    left->at[k]->head) != NULL;
+        d->functions |= 1u << k, d->arity = bound[k].arity = arity;
+    }
     const cagd_tree *body = d != NULL ? cagd_read_sum(r) : NULL;
     int read = body != NULL;
     if (read) {
@@ -440,7 +460,7 @@ static void bind_letters(cagd_reader *r, const cagd_tree *name, struct cagd_boun
 {
     for (int k = 0, used = 0; name != NULL && k < name->lower + name->upper; k++)
         if (name->at[k]->kind == CAGD_NAME && name->at[k]->count == 0) {
-            room[used] = (struct cagd_bound){name->at[k]->head, r->bound};
+            room[used] = (struct cagd_bound){name->at[k]->head, r->bound, 0};
             r->bound = &room[used++];
         }
 }

@@ -202,7 +202,10 @@ static int known_upper(const cagd_reader *r, const char *head)
 
 static int known_arguments(const cagd_reader *r, const char *head)
 {
-    const cagd_definition *d = cagd_is_bound(r, head) ? NULL : cagd_defined(r->scope, head);
+    for (const struct cagd_bound *b = r->bound; b != NULL; b = b->next)
+        if (strcmp(b->head, head) == 0)
+            return b->arity;
+    const cagd_definition *d = cagd_defined(r->scope, head);
     return d != NULL ? d->left->arguments : 0;
 }
 
@@ -369,7 +372,9 @@ static int arguments(cagd_reader *r, struct parts *p, int most)
         p->before_semicolon = p->arguments;
     if (!cagd_expect(r, ")", "the arguments"))
         return 0;
-    const cagd_definition *d = most > 0 ? cagd_defined(r->scope, p->head) : NULL;
+    const cagd_definition *d = most > 0 && !cagd_is_bound(r, p->head) ? cagd_defined(r->scope, p->head) : NULL;
+    if (d == NULL && most > 0 && p->arguments < most)
+        return cagd_refuse_token(r, "%s has %d arguments", cagd_spelled(p->head), most) != NULL;
     if (d == NULL || p->arguments >= d->left->before_semicolon)
         return 1;
     r->token = first;
@@ -469,6 +474,40 @@ static const cagd_tree *pi(cagd_reader *r, int from, const cagd_tree *power)
     return power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
 }
 
+/* Whether TeX makes a space before the next token, as between factors. */
+static int is_spaced(const cagd_reader *r)
+{
+    for (int k = r->token[-1].to; k < r->token->from; k++)
+        if (r->text[k] == '~' || (r->text[k] == '\\' && strchr(",;: q", r->text[k + 1]) != NULL))
+            return 1;
+    return 0;
+}
+
+/* Whether the bracket that comes next has in it what no product needs a bracket for, a name, a number, a fraction, or a list: f(t), f(0), f(s,t).  Behind
+ * a name with an index a list is a point: \omega_i (x_i, y_i). */
+static int bracket_is_of_arguments(const cagd_reader *r, int has_index)
+{
+    cagd_reader at = *r;
+    cagd_reading_error none = {0};
+    int depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 1 && (t->word[0] == ',' || t->word[0] == ';'))
+            return !has_index || t->word[0] == ';';
+        if (depth == 0)
+            break;
+    }
+    at.error = &none, at.looking = 1, at.token++;
+    int minus = cagd_pass(&at, "-");
+    const cagd_tree *t = cagd_read_factor(&at);
+    if (t == NULL || !cagd_next_is(&at, ")"))
+        return 0;
+    int has_power = strcmp(at.token[1].word, "^") == 0; /* (-1)^n, (\frac{a}{b})^2 */
+    const cagd_tree *name = t->kind == CAGD_POWER ? t->at[0] : t;
+    return (name->kind == CAGD_NAME || t->kind == CAGD_NUMBER || t->kind == CAGD_QUOTIENT) &&
+           !(has_power && (minus || t->kind == CAGD_QUOTIENT));
+}
+
 const cagd_tree *cagd_read_name(cagd_reader *r)
 {
     struct parts p = {0};
@@ -495,6 +534,12 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
         return NULL;
     if (braces && !cagd_expect(r, "}", "the arguments"))
         return NULL;
+    if (most == 0 && is_known && !r->declaring && !r->looking && cagd_next_is(r, "(") && !is_spaced(r) &&
+        bracket_is_of_arguments(r, p.lower + p.upper > 0))
+        return cagd_refuse_token(r,
+                                 "a value of %s, which was not defined with arguments, or a product? define %s, or write "
+                                 "\\cdot before the bracket",
+                                 cagd_spelled(p.head), cagd_spelled(p.head));
     cagd_tree *t = cagd_new(r, CAGD_NAME, from, p.lower + p.upper + p.arguments);
     if (t == NULL)
         return NULL;
@@ -513,9 +558,11 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
             return cagd_refuse_tree(r, t->at[k], "a vector is no index and no argument");
     if (p.transposed)
         return cagd_transposed(r, t);
-    if (p.power == NULL)
-        return t;
-    return cagd_power_of(r, t, p.power, from);
+    const cagd_definition *d = r->declaring || cagd_is_bound(r, p.head) ? NULL : cagd_defined(r->scope, p.head);
+    const cagd_tree *value = d != NULL && d->functions != 0 ? cagd_put_in_functional(r, d, t) : t;
+    if (p.power == NULL || value == NULL)
+        return value;
+    return cagd_power_of(r, value, p.power, from);
 }
 
 const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t)

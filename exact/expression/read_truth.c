@@ -162,7 +162,7 @@ static const cagd_tree *quantified(cagd_reader *r)
         return NULL;
     if (!cagd_pass(r, ":") && !cagd_pass(r, ","))
         cagd_pass(r, ";");
-    struct cagd_bound bound = {head, r->bound};
+    struct cagd_bound bound = {head, r->bound, 0};
     r->bound = &bound;
     const cagd_tree *body = cagd_read_truth(r);
     r->bound = bound.next;

@@ -9,6 +9,7 @@
 struct cagd_bound {
     const char *head;
     const struct cagd_bound *next;
+    int arity; /* of an argument that is a function: how many it has itself */
 };
 
 typedef struct cagd_reader {
@@ -26,6 +27,7 @@ typedef struct cagd_reader {
     int amounts;   /* and | that of a number                                  */
     int ends;      /* where a range is read: dots stand between its ends      */
     int nodes;
+    int looking; /* ahead, where nothing is asked for that would be read once more */
     const cagd_token *left_out; /* the last dots that leave steps of a chain out */
 } cagd_reader;
 
@@ -150,6 +152,11 @@ const cagd_tree *cagd_power_of(cagd_reader *r, const cagd_tree *t, const cagd_tr
  * factor, or primes: then an error.  A bracket with functions is a factor. */
 int cagd_is_bare_function(const cagd_reader *r, const cagd_tree *t);
 int cagd_refuse_argument(cagd_reader *r, const cagd_tree *t);
+/* On the left of a definition, of which the right side comes next: how many arguments that letter has there, being a function, K(f) = f(0) + f(1); 0 of a
+ * number. */
+int cagd_arity_of_argument(const cagd_reader *r, const char *letter);
+/* What the value t of d, which is of functions, stands for: the right side with what is given. */
+const cagd_tree *cagd_put_in_functional(cagd_reader *r, const cagd_definition *d, const cagd_tree *t);
 /* The letter with its faces: "t", "\hat{\omega}". */
 const char *cagd_read_head(cagd_reader *r);
 /* What messages call a head: "t_i" for "t_". */

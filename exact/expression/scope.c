@@ -80,7 +80,7 @@ int cagd_is_parameter(const cagd_scope *scope, const char *head)
 {
     for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next)
         for (int k = d->left->lower + d->left->upper; k < d->left->count; k++)
-            if (strcmp(d->left->at[k]->head, head) == 0)
+            if (!(k < 32 && (d->functions >> k & 1)) && strcmp(d->left->at[k]->head, head) == 0)
                 return 1;
     return 0;
 }

@@ -10,6 +10,8 @@
 typedef struct cagd_definition {
     const cagd_tree *left, *body, *when; /* when: a condition, or NULL                    */
     int dimension;                       /* of a vector or matrix; 0 of a number          */
+    unsigned functions; /* bits: which children of the left side are functions; they have `arity` arguments   */
+    int arity;
     struct cagd_definition *next;        /* in the order in which they were written       */
 } cagd_definition;
 

@@ -635,6 +635,36 @@ g(s,t) = s^2 t^3
         r = check(":::{let}\n0 \\le \\lambda \\le 1\nT_{\\lambda} = \\lambda\n:::\n:::{statement} s\n:printed: T_{\\lambda} \\ge 1/2\n:find: \\lambda\n:::\n")
         self.assertIn("It holds for 1/2 ≤ λ ≤ 1", r.stdout)
 
+    def test_definitions_of_functions(self):
+        """An argument that is applied is a function: its definition is put in, and no letter is caught."""
+        let = r"""e_i(s) = s^i
+K(f) = \int_0^1 f(s)\,ds
+b_{n,k}(x) = \binom{n}{k} x^k (1-x)^{n-k}
+A_n(f;x) = \sum_{k=0}^n f\left(\frac{k}{n}\right) b_{n,k}(x)
+K_n(f;x) = (n+1) \sum_{k=0}^n b_{n,k}(x) \int_{k/(n+1)}^{(k+1)/(n+1)} f(s)\,ds
+D(g) = g'(0) + K(g)
+L_n(f;x) = A_n(f;x) - f(x)
+W_n(f;x,y) = \sum_{k=0}^n b_{n,k}(x) f\left(\frac{k}{n}, y\right)
+h(s,t) = s t
+V(f;x) = f(x), \quad 0 \le x \le 1
+c(t;\lambda) = \lambda(1-t)
+p(t;f) = f(1-t) + f t
+"""
+        for printed, expected in (
+                ("K(e_0) = 1", "holds"), (r"K(e_0) = \frac12", "fails"), (r"K(e_n) = \frac{1}{n+1}", "holds"), ("K(2) = 2", "holds"), (r"K(e_1)^2 = \frac14", "holds"), (r"K^2(e_1) = \frac14", "holds"),
+                (r"A_n(e_2;x) = x^2 + \frac{x(1-x)}{n}", "holds"), (r"A_n(e_2;x) = x^2 + \frac{x(1-x)}{n^2}", "fails"), ("A_n(1;x) = 1", "holds"), ("A_n(e_i;1) = e_i(1), \\quad i = 0,1,2,3", "holds"),
+                (r"K_n(e_1;x) = \frac{n}{n+1} x + \frac{1}{2(n+1)}", "holds"), (r"K_n(e_1;x) = \frac{n}{n+1} x + \frac{1}{n+1}", "fails"), (r"\frac{d}{dx} A_n(e_1;x) = 1", "holds"), ("A_n(e_1) = x", "holds"),
+                (r"D(e_1) = \frac32", "holds"), ("D(2) = 2", "holds"), (r"D(e_1) = \frac12", "fails"), ("L_n(e_1;x) = 0", "holds"), ("L_n(e_2;x) = 0", "fails"), ("W_n(h;x,u) = x u", "holds"), ("W_n(h;x,u) = x", "fails"),
+                (r"\sum_{i=0}^2 K(e_i) = \frac{11}{6}", "holds"), (r"V(e_1; \frac12) = \frac12", "holds"), ("V(e_1; 2) = 2", "undecided"), ("A_n(e_2;x) \\ge e_2(x), \\quad x \\in [0,1]", "holds"),
+                ("c(t;2) = 2 - 2 t", "holds"), ("p(t;2) = 2", "holds"), ("x(1-x) = x - x^2", "holds"), (r"x \cdot (y) = x y", "holds"), (r"\omega_1 (x, y) = (\omega_1 x, \omega_1 y)", "holds"), ("x(-1)^n = (-1)^n x", "holds")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
+        for printed, message in (("K(x) = 1", "f of K is a function: write the name of one of 1 argument"), ("K(e_1 + e_0) = 1", "f of K is a function"), ("K(h) = 1", "f of K is a function"), ("W_n(e_1;x,y) = 1", "one of 2 arguments"), ("K = 1", "K was defined of a function: write which, K(f)"),
+                                 ("K'(e_1) = 1", "write its derivative as"), ("K_n(e_1;s) = s", "s is bound in the definition of K_i"), (r"\sum_{k=0}^2 A_n(e_k;x) = 1", "k is bound in the definition of A_i"), ("A_n(e_1;e_1) = x", "x of A_i is a number, and no function")):
+            with self.subTest(printed=printed):
+                self.assertIn(message, check(document(printed, "n = 1..3", let)).stderr)
+        self.assertEqual(verdict(r"A_n(e_2;x) = x^2 + \frac{x(1-x)}{n}", "n = 1..", let)["verdict"], "holds")
+
     def test_bounds_of_one_of_many(self):
         """Those of \\lambda_1 are not those of \\lambda_2, nor those of x_n the ones of all x_i."""
         let = "\\lambda_i \\in \\mathbb{R}\n"
