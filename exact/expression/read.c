@@ -253,6 +253,18 @@ static int place_follows(const cagd_reader *r)
     return strcmp(t[2].word, "(") == 0 || (t[2].kind == CAGD_TOKEN_LETTER && strcmp(t[3].word, "=") == 0);
 }
 
+/* [n], [n-1], [2], [x], which no product needs a bracket for; the next token is the bracket's end. */
+static int is_alone_in_brackets(const cagd_reader *r, const cagd_tree *a)
+{
+    const cagd_token *behind = r->token + 1;
+    int has_name = 0;
+    if (a->dimension > 0 || !cagd_next_is(r, "]") || strcmp(behind->word, "_") == 0)
+        return 0;
+    if (a->kind == CAGD_NAME && a->count == 0 && !cagd_is_bare_function(r, a))
+        return 1;
+    return a->kind != CAGD_PRODUCT && cagd_is_of_whole_numbers(r, a, &has_name);
+}
+
 /* (...), [...], {...}: the value itself. */
 static const cagd_tree *group(cagd_reader *r, const char *close)
 {
@@ -270,6 +282,9 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
         a = with_infix(r, a, from);
     if (a != NULL && close[0] == ']')
         a = cagd_in_square_brackets(r, a);
+    if (a != NULL && close[0] == ']' && is_alone_in_brackets(r, a))
+        return cagd_refuse_tree(r, a,
+                                "is it a q-number, a whole part or a bracket? write [n]_q, \\lfloor n \\rfloor or (n)");
     if (a == NULL || !cagd_expect(r, close, "the bracket") ||
         (!cagd_is_bare_function(r, a) && cagd_refuse_argument(r, a)))
         return NULL;
@@ -525,6 +540,10 @@ static const cagd_tree *block(cagd_reader *r, int from)
         return determinant(r, from);
     const char *matrix = cagd_pass_matrix(r);
     const cagd_tree *t = matrix != NULL ? cagd_read_matrix(r, matrix, from) : cases(r, 0, from);
+    int has_name = 0;
+    if (t != NULL && t->kind == CAGD_POINT && t->dimension == 2 && !cagd_next_is(r, "_") &&
+        cagd_is_of_whole_numbers(r, t->at[0], &has_name) && cagd_is_of_whole_numbers(r, t->at[1], &has_name) && has_name)
+        return cagd_refuse_tree(r, t, "a binomial coefficient, or a vector? write \\binom{n}{k}, or (n, k)");
     return t != NULL && t->kind == CAGD_POINT && t->count == 2 ? with_q(r, t, from) : t;
 }
 

@@ -433,6 +433,11 @@ static int is_one_of_words(const char *word, const char *const list[])
 static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const struct parts *p)
 {
     const char *near = cagd_nearest(r->scope, p->head), *name = cagd_spelled(p->head), *word = word_at(r, from);
+    if (strcmp(p->head, "\\delta_") == 0 && p->lower + p->upper + (p->lower == 1 && p->power != NULL) == 2)
+        return cagd_refuse_reading(r->error, from, r->token[-1].to,
+                                   "\\delta_{ij} is not defined; in a let block ':use: kronecker \\delta_{ij}' makes it 1 for "
+                                   "i = j and else 0"),
+               NULL;
     if (word != NULL && is_one_of_words(word, said_words))
         return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; words stand in \\text{%s}",
                                    name, word),
@@ -472,6 +477,23 @@ static const cagd_tree *pi(cagd_reader *r, int from, const cagd_tree *power)
         return NULL;
     t->head = "\\pi";
     return power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
+}
+
+int cagd_is_of_whole_numbers(const cagd_reader *r, const cagd_tree *t, int *has_name)
+{
+    if (t->kind == CAGD_NUMBER)
+        return cagd_is_whole_q(t->number);
+    if (t->kind == CAGD_NAME) {
+        const cagd_variable *v = cagd_is_bound(r, t->head) ? NULL : cagd_declared(r->scope, t->head);
+        *has_name = 1;
+        return t->count == 0 && (v != NULL ? v->whole : cagd_is_bound(r, t->head) && cagd_is_usual_index(t->head));
+    }
+    if (t->kind != CAGD_SUM && t->kind != CAGD_NEGATIVE && t->kind != CAGD_PRODUCT)
+        return 0;
+    for (int k = 0; k < t->count; k++)
+        if (!cagd_is_of_whole_numbers(r, t->at[k], has_name))
+            return 0;
+    return 1;
 }
 
 /* Whether TeX makes a space before the next token, as between factors. */

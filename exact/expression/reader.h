@@ -162,6 +162,8 @@ const char *cagd_read_head(cagd_reader *r);
 /* What messages call a head: "t_i" for "t_". */
 const char *cagd_spelled(const char *head);
 int cagd_is_known(const cagd_reader *r, const char *head);
+/* Whether it is made of whole numbers and names that stand for such, and which of both are in it: n, n-1, 3. */
+int cagd_is_of_whole_numbers(const cagd_reader *r, const cagd_tree *t, int *has_name);
 /* Whether a letter may stand here that is not known. */
 int cagd_may_be_unknown(const cagd_reader *r);
 int cagd_is_bound(const cagd_reader *r, const char *head);

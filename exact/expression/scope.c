@@ -230,8 +230,7 @@ static int is_one_of(const char *head, const char *const list[])
     return 0;
 }
 
-/* Letters that are whole numbers wherever they are an index with bounds. */
-static int is_usual_index(const char *head)
+int cagd_is_usual_index(const char *head)
 {
     static const char *const letters[] = {"i", "j", "k", "l", "m", "n", "r", "\\ell", "I",
                                           "J", "K", "L", "M", "N", "R", NULL};
@@ -242,7 +241,7 @@ static int is_usual_index(const char *head)
 static int has_real(const cagd_scope *scope, const cagd_tree *t)
 {
     const cagd_variable *v = t->kind == CAGD_NAME ? cagd_declared(scope, t->head) : NULL;
-    int has = v != NULL && !v->whole && (v->real || !is_usual_index(v->head));
+    int has = v != NULL && !v->whole && (v->real || !cagd_is_usual_index(v->head));
     for (int k = 0; k < t->count && !has; k++)
         has = has_real(scope, t->at[k]);
     return has;
@@ -258,7 +257,7 @@ static enum kind_of_number kind_of(const cagd_scope *scope, const cagd_variable 
                              *const up_to[] = {"q", "\\mu", "\\nu", "\\rho", "\\kappa", "\\sigma", "\\iota", NULL};
     cagd_num_q low, high;
     int has_low = is_number(v->low, &low), has_high = v->high != NULL && is_number(v->high, &high);
-    int is_usual = is_usual_index(v->head), is_strict = v->low_open || v->high_open;
+    int is_usual = cagd_is_usual_index(v->head), is_strict = v->low_open || v->high_open;
     if ((has_low && !cagd_is_whole_q(low)) || (has_high && !cagd_is_whole_q(high)))
         return IS_REAL;
     if (has_low && has_high && cagd_sign_q(cagd_sub_q(high, low)) > 0) {

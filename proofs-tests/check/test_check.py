@@ -665,6 +665,14 @@ p(t;f) = f(1-t) + f t
                 self.assertIn(message, check(document(printed, "n = 1..3", let)).stderr)
         self.assertEqual(verdict(r"A_n(e_2;x) = x^2 + \frac{x(1-x)}{n}", "n = 1..", let)["verdict"], "holds")
 
+    def test_what_could_be_a_q_number_or_a_binomial_coefficient(self):
+        let = "P_0 = (1, 2)\nq > 0\n:use: kronecker \\delta_{ij}\n:use: kronecker \\epsilon_i^j\n"
+        for printed, expected in ((r"[n+1]_q = 1 + q [n]_q", "holds"), (r"(n+1) = 1 + (n)", "holds"), (r"[x - 1] y = x y - y", "holds"), (r"\begin{pmatrix} 1 \\ 2 \end{pmatrix} = P_0", "holds"), (r"\begin{pmatrix} x \\ n \end{pmatrix} = (x, n)", "holds"),
+                                  (r"\begin{bmatrix} n+1 \\ 1 \end{bmatrix}_q = [n+1]_q", "holds"), (r"B_i^2(0) = \delta_{i0}, \quad i = 0,1,2", "holds"), (r"B_i^2(0) = \delta_{i,1}, \quad i = 0,1,2", "fails"), (r"B_i^2(1) = \epsilon_i^2, \quad i = 0,1,2", "holds"),
+                                  (r"\sum_{j=0}^n \delta_{nj} x_j = x_n", "holds"), (r"\sum_{j=0}^n \delta_{nj} x_j = x_0", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
+
     def test_bounds_of_one_of_many(self):
         """Those of \\lambda_1 are not those of \\lambda_2, nor those of x_n the ones of all x_i."""
         let = "\\lambda_i \\in \\mathbb{R}\n"
