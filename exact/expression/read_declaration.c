@@ -280,6 +280,35 @@ static void open_last_bracket(const cagd_reader *r)
     t->word = ",", last->kind = CAGD_TOKEN_END;
 }
 
+/* Where the first definition of the line ends, "," or \text{where}, and the second one begins; 0 where there is one alone. */
+static int second_definition(cagd_reader *r, int *end)
+{
+    int depth = 0;
+    for (; r->token->kind != CAGD_TOKEN_END; r->token++) {
+        const cagd_token *at = r->token;
+        depth += (strchr("({[", at->word[0]) != NULL) - (strchr(")}]", at->word[0]) != NULL);
+        if (depth != 0 || (!cagd_next_is(r, ",") && !cagd_next_is(r, "\\text")))
+            continue;
+        *end = at->from;
+        cagd_pass(r, ",");
+        cagd_read_words(r);
+        if (next_definition(r))
+            return r->token->from;
+        r->token = at;
+    }
+    return 0;
+}
+
+/* Two definitions, K_n(f;x) = \sum p_{n,k}(x) ..., \quad p_{n,k}(x) = ..., of which the first has the second in it: that is read before it. */
+static int in_other_order(cagd_scope *scope, const char *text, int from, int to)
+{
+    cagd_reader r;
+    cagd_reading_error error;
+    int end, begin = cagd_reader_open(&r, scope, text, from, to, &error) && is_definition(r.token) ? second_definition(&r, &end) : 0;
+    return begin > 0 && cagd_read_definition(scope, text, begin, to, &error) &&
+           cagd_read_definition(scope, text, from, end, &error);
+}
+
 int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error)
 {
     cagd_reader r;
@@ -295,6 +324,10 @@ int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, 
     int good = is_definition(r.token) ? definition(&r, scope) : ranges(&r, scope, &before);
     if (good && (cagd_pass(&r, "."), r.token->kind != CAGD_TOKEN_END))
         good = cagd_refuse_token(&r, "expected the end of the line, not %s", cagd_name_of_next(&r)) != NULL;
+    if (!good) {
+        *scope = before;
+        good = strstr(error->message, " is not defined") != NULL && in_other_order(scope, text, from, to);
+    }
     if (!good)
         *scope = before;
     return good;
@@ -620,7 +653,7 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
         return 0;
     cagd_definition *d = cagd_define(scope, name);
     if (d != NULL)
-        d->body = v.low;
+        d->body = v.low, d->dimension = v.low->dimension;
     return d != NULL;
 }
 
