@@ -308,11 +308,82 @@ static int is_in_order(const struct document *d, int at, int stop)
     return 1;
 }
 
+/* ---- definitions that wait ------------------------------------------------------------------------------- */
+
+/* Where the name ends that a line defines, without its indices and arguments. */
+static int end_of_name(const struct document *d, int from, int to)
+{
+    while (from < to && strchr("_^('=<>,:", d->text[from]) == NULL)
+        from++;
+    return from;
+}
+
+/* Whether a line that waits defines the same name: of several definitions the first that fits is taken, so that they keep their order. */
+static int is_of_one_that_waits(const struct document *d, int from, int to)
+{
+    int n = end_of_name(d, from, to) - from;
+    for (int k = 0; k < d->waits; k++) {
+        const struct waiting *w = &d->waiting[k];
+        if (end_of_name(d, w->from, w->to) - w->from == n && memcmp(d->text + from, d->text + w->from, (size_t)n) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+static void complain_of_waiting(struct document *d)
+{
+    for (int k = 0; k < d->waits; k++) {
+        struct waiting *w = &d->waiting[k];
+        if (cagd_read_definition(&d->scope, d->text, w->from, w->to, &w->error))
+            continue; /* it had waited for an earlier one of its name */
+        if (w->left_out != NULL)
+            leave_out(d, w->left_out, w->from, &w->error);
+        else
+            complain_of_reading(d, &w->error);
+    }
+    d->waits = 0;
+}
+
+/* Those that can be read by now. */
+static void read_waiting(struct document *d)
+{
+    for (int k = 0; k < d->waits; k++) {
+        struct waiting w = d->waiting[k];
+        cagd_reading_error error;
+        int others = d->waits;
+        d->waits = k; /* those before it */
+        int stays = is_of_one_that_waits(d, w.from, w.to) ||
+                    !cagd_read_definition(&d->scope, d->text, w.from, w.to, &error);
+        d->waits = others;
+        if (stays)
+            continue;
+        memmove(d->waiting + k, d->waiting + k + 1, (size_t)(--d->waits - k) * sizeof *d->waiting);
+        k = -1; /* one may wait for another one */
+    }
+}
+
+/* The definition; where a name in it is not defined it waits. */
+static void read_or_wait(struct document *d, int from, int to, const char *left_out)
+{
+    cagd_reading_error error = {0};
+    if (!is_of_one_that_waits(d, from, to) && cagd_read_definition(&d->scope, d->text, from, to, &error)) {
+        read_waiting(d);
+        return;
+    }
+    if (error.message[0] != '\0' && strstr(error.message, " is not defined") == NULL)
+        complain_of_waiting(d); /* in their order */
+    if ((error.message[0] == '\0' || strstr(error.message, " is not defined") != NULL) && d->waits < MOST_WAITING)
+        d->waiting[d->waits++] = (struct waiting){from, to, left_out, {0}};
+    else if (left_out != NULL)
+        leave_out(d, left_out, from, &error);
+    else
+        complain_of_reading(d, &error);
+}
+
 /* In papers the bounds of a parameter stand behind the formulas: where a line has a name that a line behind it declares, such lines are read
  * first. */
 static void read_let(struct document *d, int at, int stop)
 {
-    cagd_reading_error error;
     int first = !is_in_order(d, at, stop), begin = at;
     for (int end; first && next_entry(d, &at, stop, &end); at = behind(d, end)) {
         int from = at, to = end;
@@ -325,24 +396,22 @@ static void read_let(struct document *d, int at, int stop)
         strip(d, &from, &to);
         if (field(d, at, end, "use", &a, &b)) {
             read_use(d, a, b);
+            read_waiting(d);
             continue;
         }
         if (field(d, at, end, "from", &a, &b) && !put_from_paper(d, a, b, &from, &to))
             continue;
-        if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
-            complain_of_reading(d, &error);
+        read_or_wait(d, from, to, NULL);
     }
 }
 
 /* A formula that defines what it has on its left side, though nobody said that it is to be read. */
 static void read_defined(struct document *d, int head, int at, int stop)
 {
-    cagd_reading_error error;
     int from = at, to = end_of_entry(d, at, stop), name = head + (int)strlen(":::{defined}"),
         name_end = end_of_line(d, head);
     strip(d, &name, &name_end);
-    if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
-        leave_out(d, cagd_text_of(d->text + name, name_end - name), from, &error);
+    read_or_wait(d, from, to, cagd_text_of(d->text + name, name_end - name));
 }
 
 static void read_expected(struct document *d, struct formula *f, int from, int to)
@@ -759,6 +828,8 @@ static void read_blocks(struct document *d)
             complain(d, at, end_of_line(d, at), "the block does not end: expected a line ':::'");
             return;
         }
+        if (!begins(d, at, ":::{let}") && !begins(d, at, ":::{defined}") && !begins(d, at, ":::{equation}"))
+            complain_of_waiting(d);
         if (begins(d, at, ":::{let}"))
             read_let(d, inside, stop);
         else if (begins(d, at, ":::{statement}"))
@@ -775,6 +846,7 @@ static void read_blocks(struct document *d)
             complain(d, at, end_of_line(d, at), "expected :::{let}, :::{statement} NAME or :::{basis} NAME");
         at = stop;
     }
+    complain_of_waiting(d);
 }
 
 /* ---- the file ------------------------------------------------------------------------------------------ */

@@ -673,6 +673,24 @@ p(t;f) = f(1-t) + f t
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
 
+    def test_definitions_that_stand_before_what_is_in_them(self):
+        """A curve and then its functions, in lines, in blocks and in one line; several of one name keep their order."""
+        curve, functions = "p_i(t) = b_{i,0}(t) x_{i-1} + b_{i,1}(t) x_i\n", "b_{i,1}(t) = 1 - b_{i,0}(t)\nb_{i,0}(t) = 1 - t\n"
+        for let in (curve + functions, functions + curve, curve + ":::\n:::{let}\n" + functions):
+            self.assertEqual(verdict("p_n(0) = x_{n-1}, \\quad p_n(1) = x_n", "n = 1..3", let)["verdict"], "holds")
+            self.assertEqual(verdict("p_n(0) = x_n", "n = 1..3", let)["verdict"], "fails")
+        let = "g_0(t) = h_0(t)\ng_i(t) = t^i\nh_i(t) = 7 + i\n"
+        self.assertEqual(verdict("g_0(t) = 7, \\quad g_1(t) = t", "n = 1", let)["verdict"], "holds")
+        for let in ("A_n(t) = \\sum_{i=0}^n x_i c_{n,i}(t), \\qquad c_{n,i}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n", "A_n(t) = \\sum_{i=0}^n x_i c_{n,i}(t) \\text{ where } c_{n,i}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n"):
+            self.assertEqual(verdict("A_n(0) = x_0", "n = 1..3", let)["verdict"], "holds")
+            self.assertEqual(verdict("A_n(0) = x_n", "n = 1..3", let)["verdict"], "fails")
+        r = check(document("x = x", "n = 1", "p(t) = q(t)\nr(t) = p(t)\n"))
+        self.assertIn("5:8: q is not defined", r.stderr)
+        self.assertIn("6:8: p is not defined", r.stderr)
+        let = "P, Q \\in \\mathbb{R}^2\n"
+        self.assertEqual(verdict("M + M = P + Q, \\text{ where } M = \\frac12 (P+Q)", "n = 1", let)["verdict"], "holds")
+        self.assertEqual(verdict("M + M = P, \\text{ where } M = \\frac12 (P+Q)", "n = 1", let)["verdict"], "fails")
+
     def test_bounds_of_one_of_many(self):
         """Those of \\lambda_1 are not those of \\lambda_2, nor those of x_n the ones of all x_i."""
         let = "\\lambda_i \\in \\mathbb{R}\n"
