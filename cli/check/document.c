@@ -154,8 +154,19 @@ void complain_in(struct document *d, const char *path, const char *text, int siz
 static const char *in_words_of_paper(const struct document *d, const cagd_reading_error *e, const char *message)
 {
     static const char begin[] = "; a line '", end[] = "' in a let block makes it a variable";
+    static const char whole[] = "' in a let block makes it a whole number", range[] = "; ':for: ";
     const char *line = strstr(message, begin), *stop = line != NULL ? strstr(line, end) : NULL;
+    const char *behind = line != NULL ? strstr(line, whole) : NULL, *numbers = strstr(message, range);
     char text[MESSAGE];
+    if (chunk_at(d, e->from) != NULL && (behind != NULL || numbers != NULL)) {
+        const char *at = behind != NULL ? line : numbers;
+        snprintf(text, sizeof text, "%.*s; '%% cagd: %s %.*s", (int)(at - message), message, behind != NULL ? "let" : "for",
+                 (int)((behind != NULL ? behind : message + strlen(message)) - at) - (int)(behind != NULL ? strlen(begin) : strlen(range)),
+                 at + (behind != NULL ? strlen(begin) : strlen(range)));
+        if (behind != NULL)
+            snprintf(text + strlen(text), sizeof text - strlen(text), "' makes it a whole number");
+        return cagd_text_of(text, (int)strlen(text));
+    }
     if (chunk_at(d, e->from) == NULL || stop == NULL)
         return message;
     int n =

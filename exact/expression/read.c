@@ -117,7 +117,7 @@ const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script)
         if (t != NULL)
             t->head = head, t->dimension = cagd_is_bound(r, head) ? 0 : cagd_dimension_of(r->scope, head);
         if (t != NULL && !cagd_may_be_unknown(r) && !cagd_is_known(r, head))
-            return cagd_refuse_tree(r, t, "%s is not defined", head);
+            return cagd_complain_of_letter(r, t->from, t->to, head);
         return t;
     }
     if (is_script && r->token->kind != CAGD_TOKEN_WORD)

@@ -174,6 +174,7 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
                                     left->at[k]->head) != NULL;
         d->functions |= 1u << k, d->arity = bound[k].arity = arity;
     }
+    r->defining++;
     const cagd_tree *body = d != NULL ? cagd_read_sum(r) : NULL;
     int read = body != NULL;
     if (read) {
@@ -186,6 +187,7 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
                    ((d->when = condition(r)) != NULL && (!bracket || cagd_expect(r, ")", "the condition")));
         }
     }
+    r->defining--;
     r->bound = outside;
     return read;
 }

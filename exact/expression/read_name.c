@@ -430,9 +430,43 @@ static int is_one_of_words(const char *word, const char *const list[])
     return 0;
 }
 
+cagd_tree *cagd_complain_of_letter(cagd_reader *r, int from, int to, const char *letter)
+{
+    if (!cagd_is_usual_index(letter))
+        cagd_refuse_reading(r->error, from, to, "%s is not defined", letter);
+    else if (r->defining)
+        cagd_refuse_reading(r->error, from, to,
+                            "%s is not defined; a line '%s \\in \\mathbb{N}' in a let block makes it a whole number", letter,
+                            letter);
+    else
+        cagd_refuse_reading(r->error, from, to, "%s is not defined; ':for: %s = 1..4' says for which numbers it is meant",
+                            letter, letter);
+    return NULL;
+}
+
+/* The name with its indices, letters in the places of numbers: p_{i,k} for p_{3,k}. */
+static const char *spelled_with_indices(const struct parts *p)
+{
+    static const char *const letters[] = {"i", "j", "k", "l"};
+    char text[MOST_HEAD + 40];
+    size_t n = strlen(p->head);
+    int used = snprintf(text, sizeof text, "%s%s", p->head, p->lower > 1 ? "{" : "");
+    if (n == 0 || p->head[n - 1] != '_')
+        return cagd_spelled(p->head);
+    for (int k = 0; k < p->lower && used < (int)sizeof text; k++) {
+        const cagd_tree *t = p->of_lower[k];
+        int is_letter = t->kind == CAGD_NAME && t->count == 0;
+        used += snprintf(text + used, sizeof text - (size_t)used, "%s%s", k > 0 ? "," : "", is_letter ? t->head : letters[k]);
+    }
+    if (used < (int)sizeof text)
+        used += snprintf(text + used, sizeof text - (size_t)used, "%s", p->lower > 1 ? "}" : "");
+    const char *kept = used < (int)sizeof text ? cagd_text_of(text, used) : NULL;
+    return kept != NULL ? kept : cagd_spelled(p->head);
+}
+
 static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const struct parts *p)
 {
-    const char *near = cagd_nearest(r->scope, p->head), *name = cagd_spelled(p->head), *word = word_at(r, from);
+    const char *near = cagd_nearest(r->scope, p->head), *name = spelled_with_indices(p), *word = word_at(r, from);
     if (strcmp(p->head, "\\delta_") == 0 && p->lower + p->upper + (p->lower == 1 && p->power != NULL) == 2)
         return cagd_refuse_reading(r->error, from, r->token[-1].to,
                                    "\\delta_{ij} is not defined; in a let block ':use: kronecker \\delta_{ij}' makes it 1 for "
@@ -445,6 +479,8 @@ static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const stru
     if (word != NULL && is_one_of_words(word, commands))
         return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; or is it \\%s?", name, word),
                NULL;
+    if (near == NULL && cagd_is_usual_index(p->head))
+        return cagd_complain_of_letter(r, from, r->token[-1].to, p->head);
     cagd_refuse_reading(r->error, from, r->token[-1].to,
                         "%s is not defined%s%s%s; a line '%s \\in \\mathbb{R}' in a let "
                         "block makes it a variable",
@@ -506,8 +542,8 @@ static int is_spaced(const cagd_reader *r)
 }
 
 /* Whether the bracket that comes next has in it what no product needs a bracket for, a name, a number, a fraction, or a list: f(t), f(0), f(s,t).  Behind
- * a name with an index a list is a point: \omega_i (x_i, y_i). */
-static int bracket_is_of_arguments(const cagd_reader *r, int has_index)
+ * a name with an index, or that of a matrix, a list is a point: \omega_i (x_i, y_i). */
+static int bracket_is_of_arguments(const cagd_reader *r, int may_be_point)
 {
     cagd_reader at = *r;
     cagd_reading_error none = {0};
@@ -515,7 +551,7 @@ static int bracket_is_of_arguments(const cagd_reader *r, int has_index)
     for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END; t++) {
         depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
         if (depth == 1 && (t->word[0] == ',' || t->word[0] == ';'))
-            return !has_index || t->word[0] == ';';
+            return !may_be_point || t->word[0] == ';';
         if (depth == 0)
             break;
     }
@@ -557,7 +593,7 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     if (braces && !cagd_expect(r, "}", "the arguments"))
         return NULL;
     if (most == 0 && is_known && !r->declaring && !r->looking && cagd_next_is(r, "(") && !is_spaced(r) &&
-        bracket_is_of_arguments(r, p.lower + p.upper > 0))
+        bracket_is_of_arguments(r, p.lower + p.upper > 0 || cagd_is_matrix(cagd_dimension_of(r->scope, p.head))))
         return cagd_refuse_token(r,
                                  "a value of %s, which was not defined with arguments, or a product? define %s, or write "
                                  "\\cdot before the bracket",

@@ -27,6 +27,7 @@ typedef struct cagd_reader {
     int amounts;   /* and | that of a number                                  */
     int ends;      /* where a range is read: dots stand between its ends      */
     int nodes;
+    int defining; /* the right side of a definition */
     int looking; /* ahead, where nothing is asked for that would be read once more */
     const cagd_token *left_out; /* the last dots that leave steps of a chain out */
 } cagd_reader;
@@ -162,6 +163,8 @@ const char *cagd_read_head(cagd_reader *r);
 /* What messages call a head: "t_i" for "t_". */
 const char *cagd_spelled(const char *head);
 int cagd_is_known(const cagd_reader *r, const char *head);
+/* That a letter alone is not defined, with what gives it a meaning: NULL. */
+cagd_tree *cagd_complain_of_letter(cagd_reader *r, int from, int to, const char *letter);
 /* Whether it is made of whole numbers and names that stand for such, and which of both are in it: n, n-1, 3. */
 int cagd_is_of_whole_numbers(const cagd_reader *r, const cagd_tree *t, int *has_name);
 /* Whether a letter may stand here that is not known. */
