@@ -625,6 +625,27 @@ static const cagd_tree *lowest(cagd_reader *r, const cagd_token *t)
     return low;
 }
 
+/* \lambda_i = -\lambda_{n+1-i}, which defines nothing: it is supposed for every i. */
+static int suppose_for_every(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, const cagd_tree *value)
+{
+    static const cagd_relation equal[] = {CAGD_EQUAL};
+    const cagd_tree *letter = NULL;
+    for (int k = 0; k < name->lower + name->upper; k++) {
+        if (name->at[k]->kind == CAGD_NUMBER)
+            continue;
+        if (letter != NULL)
+            return cagd_refuse_tree(r, name, "a condition for every index has one letter: write it behind the formula") != NULL;
+        letter = name->at[k];
+    }
+    if (cagd_declared(scope, name->head) == NULL)
+        return cagd_refuse_tree(r, name, "%s is defined by itself", cagd_spelled(name->head)) != NULL;
+    const cagd_tree *t = cagd_relate(r, name->from, 2, (const cagd_tree *[]){name, value}, equal);
+    cagd_tree *every = t != NULL && letter != NULL ? cagd_new(r, CAGD_EVERY_INDEX, t->from, 1) : NULL;
+    if (every != NULL)
+        every->head = letter->head, every->at[0] = t, every->to = t->to;
+    return t != NULL && (letter == NULL || every != NULL) && cagd_suppose(scope, letter != NULL ? every : t);
+}
+
 /* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
 static int numbers(cagd_reader *r, cagd_scope *scope)
 {
@@ -633,9 +654,13 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
     if (name == NULL || !cagd_pass(r, "="))
         return back(r, start) - 1;
     const cagd_token *low = r->token;
+    struct cagd_bound room[2 * CAGD_MOST_INDICES];
+    const struct cagd_bound *outside = r->bound;
+    bind_letters(r, name, room);
     r->ends++;
     cagd_variable v = {.whole = 1, .low = cagd_read_sum(r)};
     r->ends--;
+    r->bound = outside;
     if (v.low == NULL)
         return 0;
     if (steps_of_one(low)) { /* i = 0(1)n */
@@ -651,6 +676,8 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
         v.high = listed(r, v.low);
     if (has_dots || v.high != NULL)
         return declare(r, scope, name, v);
+    if (name->count > 0 && name->arguments == 0 && cagd_tree_has(v.low, name->head))
+        return suppose_for_every(r, scope, name, v.low);
     if (!is_left_side(r, name, 0))
         return 0;
     cagd_definition *d = cagd_define(scope, name);

@@ -691,6 +691,15 @@ p(t;f) = f(1-t) + f t
         self.assertEqual(verdict("M + M = P + Q, \\text{ where } M = \\frac12 (P+Q)", "n = 1", let)["verdict"], "holds")
         self.assertEqual(verdict("M + M = P, \\text{ where } M = \\frac12 (P+Q)", "n = 1", let)["verdict"], "fails")
 
+    def test_a_value_by_names_of_the_same_kind_is_supposed(self):
+        """\\lambda_i = -\\lambda_{n+1-i} defines nothing; x_i = i^2 does."""
+        let = "\\lambda_i \\in \\mathbb{R}\n"
+        for printed, ranges, expected in ((r"\lambda_1 = 0", r"n = 1..3, i = 0..n, \lambda_i = -\lambda_{n+1-i}", "fails"), (r"\lambda_3 = 9", r"\lambda_i = i^2", "holds"), (r"\lambda_3 = 8", r"\lambda_i = i^2", "fails"),
+                                          (r"\lambda_2 = \lambda_3", r"\lambda_2 = \lambda_3", "holds"), (r"\lambda_1 + \lambda_n = 1", r"n = 2, \lambda_i = -\lambda_{n+1-i}", None)):
+            with self.subTest(printed=printed, ranges=ranges):
+                s = verdict(printed, ranges, let)["verdict"]
+                self.assertEqual(s, expected) if expected is not None else self.assertNotEqual(s, "holds")
+
     def test_bounds_of_one_of_many(self):
         """Those of \\lambda_1 are not those of \\lambda_2, nor those of x_n the ones of all x_i."""
         let = "\\lambda_i \\in \\mathbb{R}\n"
@@ -767,8 +776,9 @@ p(t;f) = f(1-t) + f t
         block = "q_0(t) = (1-t)^2 (1 - \\lambda_1 t)\nt \\in [0,1]\n\\lambda_1 \\le 1\n"
         self.assertEqual(check_standard("q_0(t) \\ge 0", "n = 1", block)["verdict"], "holds")
         self.assertEqual(check_standard("q_0(t) \\ge 0", "\\lambda_1 \\le 2", block)["verdict"], "fails")
-        r = check(document("x = x", "n = 1", "q(t) = h t\n0 \\le t \\le h\nh = 1/2\n"))
-        self.assertIn("h is not defined", r.stderr)
+        block = "q(t) = h t\n0 \\le t \\le h\nh = 1/2\n"
+        self.assertEqual(verdict("q(t) \\le 1/4", "n = 1", block)["verdict"], "holds")
+        self.assertEqual(verdict("q(t) < 1/4", "n = 1", block)["verdict"], "fails")
 
     def test_conditions_of_definitions(self):
         let = "q_{i,k}(t) = 0, \\quad i < 0 \\text{ or } i > k\nq_{0,0}(t) = 1\nq_{i,k}(t) = (1-t) q_{i,k-1}(t) + t q_{i-1,k-1}(t) \\quad (k \\ge 1)\n"
