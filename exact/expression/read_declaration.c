@@ -317,6 +317,7 @@ int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, 
     cagd_scope before = *scope;
     if (!cagd_reader_open(&r, scope, text, from, to, error))
         return 0;
+    r.defining = 1;
     if (is_zero_over_zero(r.token)) {
         scope->zero_over_zero = 1;
         return 1;
