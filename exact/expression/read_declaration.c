@@ -322,6 +322,8 @@ int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, 
         scope->zero_over_zero = 1;
         return 1;
     }
+    if (is_definition(r.token) && cagd_next_is(&r, "["))
+        return cagd_refuse_token(&r, "[n]_q and [n]_{p,q} are known: what begins so is no definition") != NULL;
     if (is_definition(r.token))
         open_last_bracket(&r);
     int good = is_definition(r.token) ? definition(&r, scope) : ranges(&r, scope, &before);

@@ -700,6 +700,16 @@ p(t;f) = f(1-t) + f t
                 s = verdict(printed, ranges, let)["verdict"]
                 self.assertEqual(s, expected) if expected is not None else self.assertNotEqual(s, "holds")
 
+    def test_numbers_of_p_and_q(self):
+        let = r"""0 < q < p \le 1
+b_{n,k}^{p,q}(x) = \frac{1}{p^{n(n-1)/2}} \left[\begin{matrix} n \\ k \end{matrix}\right]_{p,q} p^{k(k-1)/2} x^k \prod_{s=0}^{n-k-1} (p^s - q^s x)
+"""
+        for printed, expected in ((r"[n]_{p,q} = \frac{p^n-q^n}{p-q}", "holds"), (r"[n]_{p,q} = \frac{p^n-q^n}{p+q}", "fails"), ("[n+1]_{p,q} = p^n + q [n]_{p,q}", "holds"), ("[n+1]_{p,q} = p^n + p [n]_{p,q}", "fails"),
+                                  (r"\binom{n}{k}_{p,q} = \frac{[n]_{p,q}!}{[k]_{p,q}! [n-k]_{p,q}!}, \quad k = 0,1,\dots,n", "holds"), (r"\binom{n}{k}_{p,q} = \frac{[n]_{p,q}!}{[k]_{p,q}!}, \quad k = 0,1,\dots,n", "fails"),
+                                  (r"\sum_{k=0}^n b_{n,k}^{p,q}(x) = 1", "holds"), (r"\sum_{k=0}^n \frac{[k]_{p,q}}{p^{k-n}[n]_{p,q}} b_{n,k}^{p,q}(x) = x", "holds"), (r"\sum_{k=0}^n \frac{[k]_{p,q}}{[n]_{p,q}} b_{n,k}^{p,q}(x) = x", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
+
     def test_bounds_of_one_of_many(self):
         """Those of \\lambda_1 are not those of \\lambda_2, nor those of x_n the ones of all x_i."""
         let = "\\lambda_i \\in \\mathbb{R}\n"
