@@ -143,6 +143,44 @@ static const cagd_tree *condition(cagd_reader *r)
 
 static int definition(cagd_reader *r, cagd_scope *scope);
 
+/* Whether all names of t are letters that are indices of the left side by themselves. */
+static int is_of_indices(const cagd_tree *left, const cagd_tree *t)
+{
+    int is = t->kind != CAGD_NAME;
+    for (int k = 0; !is && t->count == 0 && k < left->lower + left->upper; k++)
+        is = left->at[k]->kind == CAGD_NAME && strcmp(left->at[k]->head, t->head) == 0;
+    for (int k = 0; is && k < t->count; k++)
+        is = is_of_indices(left, t->at[k]);
+    return is;
+}
+
+/* D_{\lfloor n/2 \rfloor}^n: an index that the others give becomes a letter that no text has, and *given the condition that it is that. */
+static const cagd_tree *with_given_indices(cagd_reader *r, const cagd_tree *left, const cagd_tree **given)
+{
+    static const char *const letters[2 * CAGD_MOST_INDICES] = {"index 1", "index 2", "index 3", "index 4",
+                                                               "index 5", "index 6", "index 7", "index 8"};
+    static const cagd_relation equal[] = {CAGD_EQUAL};
+    const cagd_tree *condition[2 * CAGD_MOST_INDICES];
+    int count = 0;
+    cagd_tree *copy = cagd_new(r, CAGD_NAME, left->from, left->count);
+    if (copy == NULL)
+        return NULL;
+    const cagd_tree **at = copy->at;
+    *copy = *left, copy->at = at;
+    for (int k = 0; k < left->count; k++) {
+        const cagd_tree *t = at[k] = left->at[k];
+        if (k >= left->lower + left->upper || t->kind == CAGD_NAME || t->kind == CAGD_NUMBER || !is_of_indices(left, t))
+            continue;
+        cagd_tree *letter = cagd_new(r, CAGD_NAME, t->from, 0);
+        if (letter == NULL)
+            return NULL;
+        letter->head = letters[count], letter->to = t->to, at[k] = letter;
+        condition[count++] = cagd_relate(r, t->from, 2, (const cagd_tree *[]){letter, t}, equal);
+    }
+    *given = count == 0 ? NULL : count == 1 ? condition[0] : cagd_new_of(r, CAGD_ALL, left->from, count, condition);
+    return count == 0 ? left : *given != NULL ? copy : NULL;
+}
+
 /* Whether an index is a number, or the same letter as another one. */
 static int has_index_of_its_own(const cagd_tree *left)
 {
@@ -152,8 +190,9 @@ static int has_index_of_its_own(const cagd_tree *left)
     return 0;
 }
 
-/* The right side of a definition, in which the arguments of the left side are known, and what stands behind it. */
-static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
+/* The right side of a definition, in which the arguments of the left side are known, and what stands behind it; `given`: NULL, or a
+ * condition of the left side. */
+static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, const cagd_tree *given)
 {
     struct cagd_bound bound[CAGD_MOST_CHILDREN];
     const struct cagd_bound *outside = r->bound;
@@ -187,9 +226,11 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
                    ((d->when = condition(r)) != NULL && (!bracket || cagd_expect(r, ")", "the condition")));
         }
     }
+    if (read && given != NULL)
+        d->when = d->when == NULL ? given : cagd_new_of(r, CAGD_ALL, left->from, 2, (const cagd_tree *[]){given, d->when});
     r->defining--;
     r->bound = outside;
-    return read;
+    return read && (given == NULL || d->when != NULL);
 }
 
 static int definition(cagd_reader *r, cagd_scope *scope)
@@ -202,9 +243,11 @@ static int definition(cagd_reader *r, cagd_scope *scope)
     if (left->kind != CAGD_NAME)
         return cagd_refuse_tree(r, left, "the left side of a definition is a name with its indices and arguments") !=
                NULL;
-    if (!is_left_side(r, left, 1) || (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
+    const cagd_tree *given = NULL;
+    left = with_given_indices(r, left, &given);
+    if (left == NULL || !is_left_side(r, left, 1) || (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
         return 0;
-    if (!right_side(r, scope, left))
+    if (!right_side(r, scope, left, given))
         return 0;
     return !next_definition(r) || definition(r, scope);
 }

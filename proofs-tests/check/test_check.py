@@ -710,6 +710,17 @@ b_{n,k}^{p,q}(x) = \frac{1}{p^{n(n-1)/2}} \left[\begin{matrix} n \\ k \end{matri
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
 
+    def test_an_index_that_the_others_give(self):
+        let = r"""D_{\lfloor n/2\rfloor}^n(t) = 5 t, \quad n \ge 2
+D_i^n(t) = t^i
+g_{n-1,n} = 3
+g_{i,n} = i
+"""
+        for printed, expected in (("D_1^2(t) = 5 t", "holds"), ("D_0^2(t) = 1, \\quad D_2^4(t) = D_2^5(t), \\quad D_0^1(t) = 1", "holds"), ("D_2^4(t) = t^2", "fails"), ("g_{2,3} = 3, \\quad g_{3,4} = 3, \\quad g_{1,4} = 1", "holds"), ("g_{2,4} = 3", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
+        self.assertIn("on the left of a definition an index is a letter or a number", check(document("x = x", "n = 1", "q_{j+1} = j\n")).stderr)
+
     def test_bounds_of_one_of_many(self):
         """Those of \\lambda_1 are not those of \\lambda_2, nor those of x_n the ones of all x_i."""
         let = "\\lambda_i \\in \\mathbb{R}\n"
