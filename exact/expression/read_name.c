@@ -592,8 +592,10 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
         return NULL;
     if (braces && !cagd_expect(r, "}", "the arguments"))
         return NULL;
-    if (most == 0 && is_known && !r->declaring && !r->looking && cagd_next_is(r, "(") && !is_spaced(r) &&
-        bracket_is_of_arguments(r, p.lower + p.upper > 0 || cagd_is_matrix(cagd_dimension_of(r->scope, p.head))))
+    cagd_reader behind_brace = *r;
+    behind_brace.token += cagd_next_is(r, "{") && strcmp(r->token[1].word, "(") == 0; /* f{(0)}, printed as f(0) */
+    if (most == 0 && is_known && !r->declaring && !r->looking && cagd_next_is(&behind_brace, "(") && !is_spaced(r) &&
+        bracket_is_of_arguments(&behind_brace, p.lower + p.upper > 0 || cagd_is_matrix(cagd_dimension_of(r->scope, p.head))))
         return cagd_refuse_token(r,
                                  "a value of %s, which was not defined with arguments, or a product? define %s, or write "
                                  "\\cdot before the bracket",
