@@ -155,8 +155,21 @@ void complain_in(struct document *d, const char *path, const char *text, int siz
 static const char *in_words_of_paper(const struct document *d, const cagd_reading_error *e, const char *message)
 {
     static const char begin[] = "; a line '", end[] = "' in a let block makes it a variable";
+    static const char whole[] = "' in a let block makes it a whole number", range[] = "; ':for: ";
     const char *line = strstr(message, begin), *stop = line != NULL ? strstr(line, end) : NULL;
+    const char *behind = line != NULL ? strstr(line, whole) : NULL, *numbers = strstr(message, range);
     char text[MESSAGE];
+    if (chunk_at(d, e->from) != NULL && (behind != NULL || numbers != NULL)) {
+        const char *at = behind != NULL ? line : numbers;
+        snprintf(text, sizeof text, "%.*s; '%% cagd: %s %.*s", (int)(at - message), message,
+                 behind != NULL ? "let" : "for",
+                 (int)((behind != NULL ? behind : message + strlen(message)) - at) -
+                     (int)(behind != NULL ? strlen(begin) : strlen(range)),
+                 at + (behind != NULL ? strlen(begin) : strlen(range)));
+        if (behind != NULL)
+            snprintf(text + strlen(text), sizeof text - strlen(text), "' makes it a whole number");
+        return cagd_text_of(text, (int)strlen(text));
+    }
     if (chunk_at(d, e->from) == NULL || stop == NULL)
         return message;
     int n =
@@ -320,11 +333,82 @@ static int is_in_order(const struct document *d, int at, int stop)
     return 1;
 }
 
+/* ---- definitions that wait ------------------------------------------------------------------------------- */
+
+/* Where the name ends that a line defines, without its indices and arguments. */
+static int end_of_name(const struct document *d, int from, int to)
+{
+    while (from < to && strchr("_^('=<>,:", d->text[from]) == NULL)
+        from++;
+    return from;
+}
+
+/* Whether a line that waits defines the same name: of several definitions the first that fits is taken, so that they keep their order. */
+static int is_of_one_that_waits(const struct document *d, int from, int to)
+{
+    int n = end_of_name(d, from, to) - from;
+    for (int k = 0; k < d->waits; k++) {
+        const struct waiting *w = &d->waiting[k];
+        if (end_of_name(d, w->from, w->to) - w->from == n && memcmp(d->text + from, d->text + w->from, (size_t)n) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+static void complain_of_waiting(struct document *d)
+{
+    for (int k = 0; k < d->waits; k++) {
+        struct waiting *w = &d->waiting[k];
+        if (cagd_read_definition(&d->scope, d->text, w->from, w->to, &w->error))
+            continue; /* it had waited for an earlier one of its name */
+        if (w->left_out != NULL)
+            leave_out(d, w->left_out, w->from, &w->error);
+        else
+            complain_of_reading(d, &w->error);
+    }
+    d->waits = 0;
+}
+
+/* Those that can be read by now. */
+static void read_waiting(struct document *d)
+{
+    for (int k = 0; k < d->waits; k++) {
+        struct waiting w = d->waiting[k];
+        cagd_reading_error error;
+        int others = d->waits;
+        d->waits = k; /* those before it */
+        int stays =
+            is_of_one_that_waits(d, w.from, w.to) || !cagd_read_definition(&d->scope, d->text, w.from, w.to, &error);
+        d->waits = others;
+        if (stays)
+            continue;
+        memmove(d->waiting + k, d->waiting + k + 1, (size_t)(--d->waits - k) * sizeof *d->waiting);
+        k = -1; /* one may wait for another one */
+    }
+}
+
+/* The definition; where a name in it is not defined it waits. */
+static void read_or_wait(struct document *d, int from, int to, const char *left_out)
+{
+    cagd_reading_error error = {0};
+    if (!is_of_one_that_waits(d, from, to) && cagd_read_definition(&d->scope, d->text, from, to, &error)) {
+        read_waiting(d);
+        return;
+    }
+    if (error.message[0] != '\0' && strstr(error.message, " is not defined") == NULL)
+        complain_of_waiting(d); /* in their order */
+    if ((error.message[0] == '\0' || strstr(error.message, " is not defined") != NULL) && d->waits < MOST_WAITING)
+        d->waiting[d->waits++] = (struct waiting){from, to, left_out, {0}};
+    else if (left_out != NULL)
+        leave_out(d, left_out, from, &error);
+    else
+        complain_of_reading(d, &error);
+}
+
 /* In papers the bounds of a parameter stand behind the formulas: where a line has a name that a line behind it declares, such lines are read
  * first. */
 static void read_let(struct document *d, int at, int stop)
 {
-    cagd_reading_error error;
     int first = !is_in_order(d, at, stop), begin = at;
     for (int end; first && next_entry(d, &at, stop, &end); at = behind(d, end)) {
         int from = at, to = end;
@@ -337,24 +421,22 @@ static void read_let(struct document *d, int at, int stop)
         strip(d, &from, &to);
         if (field(d, at, end, "use", &a, &b)) {
             read_use(d, a, b);
+            read_waiting(d);
             continue;
         }
         if (field(d, at, end, "from", &a, &b) && !put_from_paper(d, a, b, &from, &to))
             continue;
-        if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
-            complain_of_reading(d, &error);
+        read_or_wait(d, from, to, NULL);
     }
 }
 
 /* A formula that defines what it has on its left side, though nobody said that it is to be read. */
 static void read_defined(struct document *d, int head, int at, int stop)
 {
-    cagd_reading_error error;
     int from = at, to = end_of_entry(d, at, stop), name = head + (int)strlen(":::{defined}"),
         name_end = end_of_line(d, head);
     strip(d, &name, &name_end);
-    if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
-        leave_out(d, cagd_text_of(d->text + name, name_end - name), from, &error);
+    read_or_wait(d, from, to, cagd_text_of(d->text + name, name_end - name));
 }
 
 static void read_expected(struct document *d, struct formula *f, int from, int to)
@@ -391,6 +473,16 @@ static const char *parameter_named(struct document *d, const cagd_scope *scope, 
     if (t->kind != CAGD_NAME || t->count > 0 || (v != NULL && v->whole) || cagd_defined(scope, t->head) != NULL)
         complain(d, from, to, "expected the name of a variable, without indices");
     return t->head;
+}
+
+/* A name of which all values are asked for is no whole number, where it is an index, either. */
+static void be_real(cagd_scope *scope, const char *head)
+{
+    const cagd_variable *v = cagd_declared(scope, head);
+    cagd_variable real = v != NULL ? *v : (cagd_variable){0};
+    real.real = 1;
+    if (v != NULL && !v->whole)
+        cagd_declare(scope, real);
 }
 
 /* ---- what the ledger has as printed -------------------------------------------------------------------- */
@@ -819,6 +911,8 @@ static void read_statement(struct document *d, const char *kind, int head, int a
         complain_of_reading(d, &error);
     if (find_end > find)
         f->find = parameter_named(d, &f->scope, find, find_end);
+    if (f->find != NULL)
+        be_real(&f->scope, f->find);
     if (d->complaints > complaints)
         return;
     f->at = printed;
@@ -831,12 +925,14 @@ static void read_statement(struct document *d, const char *kind, int head, int a
     f->tree = cagd_read_statement(&f->scope, d->text, printed, printed_end, &error);
     if (f->tree == NULL)
         f->tree = with_ranges_behind(d, &f->scope, printed, printed_end, &error);
-    if (f->tree == NULL && is_tried)
+    if (f->tree != NULL)
+        error = (cagd_reading_error){0};
+    if (f->tree != NULL && cagd_make_indices_whole(&f->scope, f->tree, &error))
+        d->count++;
+    else if (is_tried)
         leave_out(d, f->name, printed, &error);
-    else if (f->tree == NULL)
-        complain_of_reading(d, &error);
     else
-        d->count += cagd_make_indices_whole(&f->scope, f->tree);
+        complain_of_reading(d, &error);
     const cagd_variable *of;
     const cagd_tree *unknown = f->tree != NULL ? cagd_unknown_in_bounds(&f->scope, f->tree, &of) : NULL;
     if (unknown != NULL)
@@ -988,6 +1084,8 @@ static void read_blocks(struct document *d)
             complain(d, at, end_of_line(d, at), "the block does not end: expected a line ':::'");
             return;
         }
+        if (!begins(d, at, ":::{let}") && !begins(d, at, ":::{defined}") && !begins(d, at, ":::{equation}"))
+            complain_of_waiting(d);
         if (begins(d, at, ":::{let}"))
             read_let(d, inside, stop);
         else if (begins(d, at, ":::{statement}"))
@@ -1004,6 +1102,7 @@ static void read_blocks(struct document *d)
             complain(d, at, end_of_line(d, at), "expected :::{let}, :::{statement} NAME or :::{basis} NAME");
         at = stop;
     }
+    complain_of_waiting(d);
 }
 
 /* ---- the file ------------------------------------------------------------------------------------------ */

@@ -107,11 +107,11 @@ int cagd_next_is_other_definition(const cagd_reader *r)
 {
     cagd_reader at = *r;
     cagd_reading_error none = {0};
-    if (r->defining == NULL || !next_definition(r))
+    if (r->defines == NULL || !next_definition(r))
         return 0;
     at.error = &none;
     const cagd_tree *name = declared_name(&at);
-    return name != NULL && (strcmp(name->head, r->defining) == 0 || !cagd_is_known(r, name->head));
+    return name != NULL && (strcmp(name->head, r->defines) == 0 || !cagd_is_known(r, name->head));
 }
 
 /* What stands behind the comma of a definition; another definition may follow it, behind a comma. */
@@ -127,17 +127,78 @@ static const cagd_tree *condition(cagd_reader *r)
 
 static int definition(cagd_reader *r, cagd_scope *scope);
 
-/* The right side of a definition, in which the arguments of the left side are known, and what stands behind it. */
-static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
+/* Whether all names of t are letters that are indices of the left side by themselves. */
+static int is_of_indices(const cagd_tree *left, const cagd_tree *t)
+{
+    int is = t->kind != CAGD_NAME;
+    for (int k = 0; !is && t->count == 0 && k < left->lower + left->upper; k++)
+        is = left->at[k]->kind == CAGD_NAME && strcmp(left->at[k]->head, t->head) == 0;
+    for (int k = 0; is && k < t->count; k++)
+        is = is_of_indices(left, t->at[k]);
+    return is;
+}
+
+/* D_{\lfloor n/2 \rfloor}^n: an index that the others give becomes a letter that no text has, and *given the condition that it is that. */
+static const cagd_tree *with_given_indices(cagd_reader *r, const cagd_tree *left, const cagd_tree **given)
+{
+    static const char *const letters[2 * CAGD_MOST_INDICES] = {"index 1", "index 2", "index 3", "index 4",
+                                                               "index 5", "index 6", "index 7", "index 8"};
+    static const cagd_relation equal[] = {CAGD_EQUAL};
+    const cagd_tree *condition[2 * CAGD_MOST_INDICES];
+    int count = 0;
+    cagd_tree *copy = cagd_new(r, CAGD_NAME, left->from, left->count);
+    if (copy == NULL)
+        return NULL;
+    const cagd_tree **at = copy->at;
+    *copy = *left, copy->at = at;
+    for (int k = 0; k < left->count; k++) {
+        const cagd_tree *t = at[k] = left->at[k];
+        if (k >= left->lower + left->upper || t->kind == CAGD_NAME || t->kind == CAGD_NUMBER || !is_of_indices(left, t))
+            continue;
+        cagd_tree *letter = cagd_new(r, CAGD_NAME, t->from, 0);
+        if (letter == NULL)
+            return NULL;
+        letter->head = letters[count], letter->to = t->to, at[k] = letter;
+        condition[count++] = cagd_relate(r, t->from, 2, (const cagd_tree *[]){letter, t}, equal);
+    }
+    *given = count == 0 ? NULL : count == 1 ? condition[0] : cagd_new_of(r, CAGD_ALL, left->from, count, condition);
+    return count == 0 ? left : *given != NULL ? copy : NULL;
+}
+
+/* Whether an index is a number, or the same letter as another one. */
+static int has_index_of_its_own(const cagd_tree *left)
+{
+    for (int k = 0; k < left->count; k++)
+        if (left->at[k]->kind == CAGD_NUMBER || cagd_same_index(left, k) >= 0)
+            return 1;
+    return 0;
+}
+
+/* The right side of a definition, in which the arguments of the left side are known, and what stands behind it; `given`: NULL, or a
+ * condition of the left side. */
+static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, const cagd_tree *given)
 {
     struct cagd_bound bound[CAGD_MOST_CHILDREN];
     const struct cagd_bound *outside = r->bound;
     for (int k = 0; k < left->count; k++)
         if (left->at[k]->kind == CAGD_NAME) {
-            bound[k] = (struct cagd_bound){left->at[k]->head, r->bound};
+            bound[k] = (struct cagd_bound){left->at[k]->head, r->bound, 0};
             r->bound = &bound[k];
         }
+    int is_first = cagd_defined(scope, left->head) == NULL;
     cagd_definition *d = cagd_define(scope, left);
+    for (int k = left->lower + left->upper; d != NULL && k < left->count; k++) {
+        int arity = cagd_arity_of_argument(r, left->at[k]->head);
+        if (arity == 0)
+            continue;
+        if (!is_first || k >= 32 || has_index_of_its_own(left) || (d->functions != 0 && d->arity != arity))
+            return cagd_refuse_tree(
+                       r, left->at[k],
+                       "%s is a function there: such a definition stands alone, and its indices are letters",
+                       left->at[k]->head) != NULL;
+        d->functions |= 1u << k, d->arity = bound[k].arity = arity;
+    }
+    r->defining++;
     const cagd_tree *body = d != NULL ? cagd_read_sum(r) : NULL;
     int read = body != NULL;
     if (read) {
@@ -146,14 +207,18 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
         if (cagd_pass(r, ",") || cagd_next_is(r, "\\text") || bracket) {
             cagd_read_words(r);
             bracket = cagd_is_truth_in_brackets(r) && cagd_pass(r, "(");
-            r->defining = left->head;
+            r->defines = left->head;
             read = r->token->kind == CAGD_TOKEN_END || next_definition(r) ||
                    ((d->when = condition(r)) != NULL && (!bracket || cagd_expect(r, ")", "the condition")));
-            r->defining = NULL;
+            r->defines = NULL;
         }
     }
+    if (read && given != NULL)
+        d->when =
+            d->when == NULL ? given : cagd_new_of(r, CAGD_ALL, left->from, 2, (const cagd_tree *[]){given, d->when});
+    r->defining--;
     r->bound = outside;
-    return read;
+    return read && (given == NULL || d->when != NULL);
 }
 
 static int definition(cagd_reader *r, cagd_scope *scope)
@@ -166,9 +231,11 @@ static int definition(cagd_reader *r, cagd_scope *scope)
     if (left->kind != CAGD_NAME)
         return cagd_refuse_tree(r, left, "the left side of a definition is a name with its indices and arguments") !=
                NULL;
-    if (!is_left_side(r, left, 1) || (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
+    const cagd_tree *given = NULL;
+    left = with_given_indices(r, left, &given);
+    if (left == NULL || !is_left_side(r, left, 1) || (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
         return 0;
-    if (!right_side(r, scope, left))
+    if (!right_side(r, scope, left, given))
         return 0;
     return !next_definition(r) || definition(r, scope);
 }
@@ -246,21 +313,59 @@ static void open_last_bracket(const cagd_reader *r)
     t->word = ",", last->kind = CAGD_TOKEN_END;
 }
 
+/* Where the first definition of the line ends, "," or \text{where}, and the second one begins; 0 where there is one alone. */
+static int second_definition(cagd_reader *r, int *end)
+{
+    int depth = 0;
+    for (; r->token->kind != CAGD_TOKEN_END; r->token++) {
+        const cagd_token *at = r->token;
+        depth += (strchr("({[", at->word[0]) != NULL) - (strchr(")}]", at->word[0]) != NULL);
+        if (depth != 0 || (!cagd_next_is(r, ",") && !cagd_next_is(r, "\\text")))
+            continue;
+        *end = at->from;
+        cagd_pass(r, ",");
+        cagd_read_words(r);
+        if (next_definition(r))
+            return r->token->from;
+        r->token = at;
+    }
+    return 0;
+}
+
+/* Two definitions, K_n(f;x) = \sum p_{n,k}(x) ..., \quad p_{n,k}(x) = ..., of which the first has the second in it: that is read before it. */
+static int in_other_order(cagd_scope *scope, const char *text, int from, int to)
+{
+    cagd_reader r;
+    cagd_reading_error error;
+    int end, begin = cagd_reader_open(&r, scope, text, from, to, &error) && is_definition(r.token)
+                         ? second_definition(&r, &end)
+                         : 0;
+    return begin > 0 && cagd_read_definition(scope, text, begin, to, &error) &&
+           cagd_read_definition(scope, text, from, end, &error);
+}
+
 int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error)
 {
     cagd_reader r;
     cagd_scope before = *scope;
     if (!cagd_reader_open(&r, scope, text, from, to, error))
         return 0;
+    r.defining = 1;
     if (is_zero_over_zero(r.token)) {
         scope->zero_over_zero = 1;
         return 1;
     }
+    if (is_definition(r.token) && cagd_next_is(&r, "["))
+        return cagd_refuse_token(&r, "[n]_q and [n]_{p,q} are known: what begins so is no definition") != NULL;
     if (is_definition(r.token))
         open_last_bracket(&r);
     int good = is_definition(r.token) ? definition(&r, scope) : ranges(&r, scope, &before);
     if (good && (cagd_pass(&r, "."), r.token->kind != CAGD_TOKEN_END))
         good = cagd_refuse_token(&r, "expected the end of the line, not %s", cagd_name_of_next(&r)) != NULL;
+    if (!good) {
+        *scope = before;
+        good = strstr(error->message, " is not defined") != NULL && in_other_order(scope, text, from, to);
+    }
     if (!good)
         *scope = before;
     return good;
@@ -370,7 +475,7 @@ static void take_list(cagd_variable *v, const cagd_list *list)
 /* ℕ, or \{0, \dots, n\}. */
 static int whole_numbers(cagd_reader *r, cagd_variable *v)
 {
-    v->whole = 1;
+    v->whole = 1, v->real = 0;
     v->low = cagd_tree_number(0, r->token->from, r->token->to);
     if (cagd_pass(r, "\\N"))
         return 1;
@@ -388,6 +493,7 @@ static int whole_numbers(cagd_reader *r, cagd_variable *v)
 /* Behind \in: \mathbb{R}, \mathbb{N}, \mathbb{Z}^+, [a,b], (a,b), \{0, \dots, n\}. */
 static int set(cagd_reader *r, cagd_variable *v)
 {
+    v->real = 1;
     if (cagd_pass(r, "\\R"))
         return dimension(r, v);
     if (cagd_next_is(r, "\\N") || cagd_next_is(r, "\\{"))
@@ -398,7 +504,7 @@ static int set(cagd_reader *r, cagd_variable *v)
         if (!cagd_next_is(r, "R") && !cagd_next_is(r, "N") &&
             !(cagd_next_is(r, "Z") && r->token[1].kind != CAGD_TOKEN_END && is_positive(r->token + 1 + braces)))
             return cagd_refuse_token(r, "expected \\mathbb{R} or \\mathbb{N}; whole numbers are n = 1..12") != NULL;
-        v->whole = letter->word[0] != 'R';
+        v->whole = letter->word[0] != 'R', v->real = !v->whole;
         r->token++;
         if (braces && !cagd_expect(r, "}", "the set"))
             return 0;
@@ -428,7 +534,7 @@ static void bind_letters(cagd_reader *r, const cagd_tree *name, struct cagd_boun
 {
     for (int k = 0, used = 0; name != NULL && k < name->lower + name->upper; k++)
         if (name->at[k]->kind == CAGD_NAME && name->at[k]->count == 0) {
-            room[used] = (struct cagd_bound){name->at[k]->head, r->bound};
+            room[used] = (struct cagd_bound){name->at[k]->head, r->bound, 0};
             r->bound = &room[used++];
         }
 }
@@ -442,8 +548,9 @@ static int declare_one(cagd_scope *scope, const cagd_tree *name, cagd_variable b
     return one.head != NULL && cagd_declare(scope, one);
 }
 
-/* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma. */
-static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *listed)
+/* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma.  A number that has bounds by
+ * this list, which began with the scope `began`, keeps them. */
+static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, cagd_reading_error *listed)
 {
     const cagd_tree *name[CAGD_MOST_CHILDREN];
     struct place start = here(r);
@@ -483,7 +590,10 @@ static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *liste
             continue;
         }
         if (v.whole && before != NULL && before->low != NULL) /* n \ge 1, n \in \mathbb{N} */
-            w = *before, w.whole = 1;
+            w = *before, w.whole = 1, w.real = 0;
+        if (v.real && v.low == NULL && v.high == NULL && v.dimension == 0 && before != NULL && !before->whole &&
+            before != cagd_declared(began, name[k]->head)) /* 0 \le x \le 1, x \in \mathbb{R} */
+            w = *before, w.real = 1;
         if (!declare(r, scope, name[k], w))
             return 0;
     }
@@ -528,7 +638,7 @@ static int bind_ranges_ahead(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CH
     int used = 0;
     for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++)
         if (t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) && range_ahead(r, t->word) != NULL) {
-            room[used] = (struct cagd_bound){t->word, r->bound};
+            room[used] = (struct cagd_bound){t->word, r->bound, 0};
             r->bound = &room[used++];
         }
     return used;
@@ -570,6 +680,28 @@ static const cagd_tree *within_ranges(cagd_reader *r, const cagd_scope *before, 
     return when;
 }
 
+/* \lambda_i = -\lambda_{n+1-i}, which defines nothing: it is supposed for every i. */
+static int suppose_for_every(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, const cagd_tree *value)
+{
+    static const cagd_relation equal[] = {CAGD_EQUAL};
+    const cagd_tree *letter = NULL;
+    for (int k = 0; k < name->lower + name->upper; k++) {
+        if (name->at[k]->kind == CAGD_NUMBER)
+            continue;
+        if (letter != NULL)
+            return cagd_refuse_tree(r, name,
+                                    "a condition for every index has one letter: write it behind the formula") != NULL;
+        letter = name->at[k];
+    }
+    if (cagd_declared(scope, name->head) == NULL)
+        return cagd_refuse_tree(r, name, "%s is defined by itself", cagd_spelled(name->head)) != NULL;
+    const cagd_tree *t = cagd_relate(r, name->from, 2, (const cagd_tree *[]){name, value}, equal);
+    cagd_tree *every = t != NULL && letter != NULL ? cagd_new(r, CAGD_EVERY_INDEX, t->from, 1) : NULL;
+    if (every != NULL)
+        every->head = letter->head, every->at[0] = t, every->to = t->to;
+    return t != NULL && (letter == NULL || every != NULL) && cagd_suppose(scope, letter != NULL ? every : t);
+}
+
 /* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
 static int numbers(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
 {
@@ -579,7 +711,11 @@ static int numbers(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     if (name == NULL || !cagd_pass(r, "="))
         return back(r, start) - 1;
     cagd_list list;
+    struct cagd_bound room[2 * CAGD_MOST_INDICES];
+    const struct cagd_bound *outside = r->bound;
+    bind_letters(r, name, room);
     int is_list = cagd_read_list(r, name->head, &list);
+    r->bound = outside;
     if (is_list < 0)
         return 0;
     take_list(&v, &list);
@@ -591,11 +727,13 @@ static int numbers(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
             return 1; /* it was read before what stands before it */
     if (cagd_refuse_values(r, name->head))
         return 0;
+    if (name->count > 0 && name->arguments == 0 && cagd_tree_has(v.low, name->head))
+        return suppose_for_every(r, scope, name, v.low);
     if (!is_left_side(r, name, 0))
         return 0;
     cagd_definition *d = cagd_define(scope, name);
     if (d != NULL)
-        d->body = v.low, d->when = within_ranges(r, before, name);
+        d->body = v.low, d->dimension = v.low->dimension, d->when = within_ranges(r, before, name);
     return d != NULL;
 }
 
@@ -632,7 +770,7 @@ static const cagd_token *end_of_item(cagd_reader *r)
     return end;
 }
 
-static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *listed);
+static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, cagd_reading_error *listed);
 
 /* Letters of the range or chain that comes next, whose own ranges stand behind it, j = 0, 1, \dots, i - 1, i = 1, 2, \dots, n: these are read before it. */
 static void declare_ahead(cagd_reader *r, cagd_scope *scope, const cagd_scope *before, int depth)
@@ -648,7 +786,7 @@ static void declare_ahead(cagd_reader *r, cagd_scope *scope, const cagd_scope *b
         cagd_reading_error listed;
         r->token = ahead;
         declare_ahead(r, scope, before, depth + 1);
-        if ((strcmp(ahead[1].word, "\\in") == 0 ? elements(r, scope, &listed) : numbers(r, scope, before)) <= 0)
+        if ((strcmp(ahead[1].word, "\\in") == 0 ? elements(r, scope, before, &listed) : numbers(r, scope, before)) <= 0)
             *scope = as_it_was;
         back(r, start);
     }
@@ -835,7 +973,7 @@ static void bind_degrees(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDR
             break;
         if (t->kind == CAGD_TOKEN_LETTER && t->word[1] == '\0' && strchr("nmNM", t->word[0]) != NULL &&
             !cagd_is_known(r, t->word)) {
-            room[used] = (struct cagd_bound){t->word, r->bound};
+            room[used] = (struct cagd_bound){t->word, r->bound, 0};
             r->bound = &room[used++];
         }
     }
@@ -979,7 +1117,7 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         }
         cagd_share_value(r);
         declare_ahead(r, scope, before, 0);
-        int done = elements(r, scope, &listed);
+        int done = elements(r, scope, before, &listed);
         if (done < 0)
             done = numbers(r, scope, before);
         if (done < 0)

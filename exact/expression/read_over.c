@@ -236,7 +236,7 @@ struct range {
 static void bind_all(cagd_reader *r, struct range *a)
 {
     for (int k = 0; k < a->count; k++) {
-        a->bound[k] = (struct cagd_bound){a->head[k], r->bound};
+        a->bound[k] = (struct cagd_bound){a->head[k], r->bound, 0};
         r->bound = &a->bound[k];
     }
 }
@@ -512,7 +512,7 @@ const cagd_tree *cagd_read_integral(cagd_reader *r, int from)
     }
     if (end->kind == CAGD_TOKEN_END)
         return cagd_refuse_token(r, "by what is the integral? expected d and a letter at its end");
-    struct cagd_bound bound = {end[cagd_differential(r, end)].word, r->bound};
+    struct cagd_bound bound = {end[cagd_differential(r, end)].word, r->bound, 0};
     r->bound = &bound;
     r->integrals++;
     const cagd_tree *body =

@@ -179,7 +179,7 @@ static const cagd_tree *quantified(cagd_reader *r)
         return NULL;
     if (!cagd_pass(r, ":") && !cagd_pass(r, ","))
         cagd_pass(r, ";");
-    struct cagd_bound bound = {head, r->bound};
+    struct cagd_bound bound = {head, r->bound, 0};
     r->bound = &bound;
     const cagd_tree *body = cagd_read_truth(r);
     r->bound = bound.next;
@@ -477,7 +477,7 @@ static const cagd_token *range_within(cagd_reader *r, int known, cagd_list *list
         int used = 0;
         for (const cagd_token *m = first; m < last && used < CAGD_MOST_INDICES; m++) /* they may have one another */
             if (m != t && cagd_begins_range(m) && !cagd_is_known(r, m->word)) {
-                room[used] = (struct cagd_bound){m->word, r->bound};
+                room[used] = (struct cagd_bound){m->word, r->bound, 0};
                 r->bound = &room[used++];
             }
         r->token = t;
@@ -509,7 +509,7 @@ static int take_ranges(cagd_reader *r, int known, struct own_ranges *own)
         r->token = list;
         if (v != NULL && v->whole)
             continue;
-        own->letter[own->count] = (struct cagd_bound){t->word, r->bound};
+        own->letter[own->count] = (struct cagd_bound){t->word, r->bound, 0};
         own->list[own->count] = range;
         r->bound = &own->letter[own->count++];
     }

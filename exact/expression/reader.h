@@ -9,6 +9,7 @@
 struct cagd_bound {
     const char *head;
     const struct cagd_bound *next;
+    int arity; /* of an argument that is a function: how many it has itself */
 };
 
 typedef struct cagd_reader {
@@ -21,14 +22,16 @@ typedef struct cagd_reader {
     int declaring; /* on the left of a definition: names need not be known   */
     int supposing; /* in a condition: letters of indices need not be known   */
     int in_index;
-    int integrals;        /* around what is read: d and a letter end the integrand  */
-    int norms;            /* likewise: \| ends the norm and begins none             */
-    int amounts;          /* and | that of a number                                  */
-    int ends;             /* where a range is read: dots stand between its ends      */
-    int premises;         /* in what is supposed                                     */
-    int lists;            /* likewise i = 0, 1, 2 is a condition                     */
-    const char *defining; /* behind the definition of that name: another one may follow a comma */
+    int integrals;       /* around what is read: d and a letter end the integrand  */
+    int norms;           /* likewise: \| ends the norm and begins none             */
+    int amounts;         /* and | that of a number                                  */
+    int ends;            /* where a range is read: dots stand between its ends      */
+    int premises;        /* in what is supposed                                     */
+    int lists;           /* likewise i = 0, 1, 2 is a condition                     */
+    const char *defines; /* behind the definition of that name: another one may follow a comma */
     int nodes;
+    int defining;               /* the right side of a definition */
+    int looking;                /* ahead, where nothing is asked for that would be read once more */
     const cagd_token *left_out; /* the last dots that leave steps of a chain out */
 } cagd_reader;
 
@@ -190,6 +193,11 @@ const cagd_tree *cagd_power_of(cagd_reader *r, const cagd_tree *t, const cagd_tr
  * factor, or primes: then an error.  A bracket with functions is a factor. */
 int cagd_is_bare_function(const cagd_reader *r, const cagd_tree *t);
 int cagd_refuse_argument(cagd_reader *r, const cagd_tree *t);
+/* On the left of a definition, of which the right side comes next: how many arguments that letter has there, being a function, K(f) = f(0) + f(1); 0 of a
+ * number. */
+int cagd_arity_of_argument(const cagd_reader *r, const char *letter);
+/* What the value t of d, which is of functions, stands for: the right side with what is given. */
+const cagd_tree *cagd_put_in_functional(cagd_reader *r, const cagd_definition *d, const cagd_tree *t);
 /* The letter with its faces: "t", "\hat{\omega}". */
 const char *cagd_read_head(cagd_reader *r);
 /* Whether another definition comes next, behind the condition of one: of the same name, or of one that is not known. */
@@ -197,6 +205,10 @@ int cagd_next_is_other_definition(const cagd_reader *r);
 /* What messages call a head: "t_i" for "t_". */
 const char *cagd_spelled(const char *head);
 int cagd_is_known(const cagd_reader *r, const char *head);
+/* That a letter alone is not defined, with what gives it a meaning: NULL. */
+cagd_tree *cagd_complain_of_letter(cagd_reader *r, int from, int to, const char *letter);
+/* Whether it is made of whole numbers and names that stand for such, and which of both are in it: n, n-1, 3. */
+int cagd_is_of_whole_numbers(const cagd_reader *r, const cagd_tree *t, int *has_name);
 /* Whether a letter may stand here that is not known. */
 int cagd_may_be_unknown(const cagd_reader *r);
 int cagd_is_bound(const cagd_reader *r, const char *head);

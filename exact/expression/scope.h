@@ -10,6 +10,8 @@
 typedef struct cagd_definition {
     const cagd_tree *left, *body, *when; /* when: a condition, or NULL                    */
     int dimension;                       /* of a vector or matrix; 0 of a number          */
+    unsigned functions; /* bits: which children of the left side are functions; they have `arity` arguments   */
+    int arity;
     struct cagd_definition *next;        /* in the order in which they were written       */
 } cagd_definition;
 
@@ -22,6 +24,7 @@ typedef struct cagd_variable {
     int lower, upper;
     int dimension; /* of a vector or matrix; 0 of a number */
     int whole;     /* runs over the whole numbers from low to high; every number from low on when high is NULL */
+    int real;      /* it was said to be a real number, by a set or an interval: no index makes it a whole one  */
     const cagd_tree *low, *high;
     int low_open, high_open; /* < and not <= */
     long step; /* of whole numbers: low, low + step, ... up to high, which has to be one of them; 0 is 1 */
@@ -63,9 +66,12 @@ const char *cagd_nearest(const cagd_scope *scope, const char *head);
  * body of the new definition is to be filled in: it may use its own name. */
 cagd_definition *cagd_define(cagd_scope *scope, const cagd_tree *left);
 int cagd_declare(cagd_scope *scope, cagd_variable v);
+/* Whether the letter is a whole number wherever it is an index with bounds: i, j, k, l, m, n, r. */
+int cagd_is_usual_index(const char *head);
 /* Variables with a lower bound that are indices of names of the tree, ends of its sums, or stand below in binomial coefficients become whole
- * numbers, 0 <= i <= n being 0, 1, ..., n. */
-int cagd_make_indices_whole(cagd_scope *scope, const cagd_tree *t);
+ * numbers, 0 <= i <= n being 0, 1, ..., n, where they were not said to be real and their bounds do not show it.  0 and an error where a name is an index
+ * of a function, which may be a parameter, and neither its bounds nor its letter say what it is: 0 <= alpha <= 1. */
+int cagd_make_indices_whole(cagd_scope *scope, const cagd_tree *t, cagd_reading_error *error);
 int cagd_suppose(cagd_scope *scope, const cagd_tree *condition);
 int cagd_label(cagd_scope *scope, const cagd_tree *letter);
 #endif

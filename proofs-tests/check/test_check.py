@@ -607,6 +607,120 @@ g(s,t) = s^2 t^3
         self.assertEqual(verdict("p \\ge 0", "n = 1", let)["verdict"], "holds")
         self.assertEqual(verdict("p \\ge 0", "p \\ge -1", let)["verdict"], "fails")
 
+    def test_an_index_with_bounds_can_be_a_real_parameter(self):
+        """What was said to be real is, wherever; so are names between whose bounds there are not two whole numbers.  0 <= alpha <= 1 is asked for."""
+        claim, let = r"p_{\alpha}(x) \ge 0", "p_{\\alpha}(x) = x^2 + \\alpha(\\alpha-1)\n"
+        for before, ranges, expected in (
+                (r"\alpha \in [0,1]", "n = 1", "fails"), (r"\alpha \in [0,\infty)", "n = 1", "fails"), ("", r"\alpha \in [0,1]", "fails"),
+                (r"\alpha \in \mathbb{R}", r"0 \le \alpha \le 1", "fails"), ("", r"0 \le \alpha \le 1, \alpha \in \mathbb{R}", "fails"), ("", r"0 < \alpha < 1", "fails"),
+                ("", r"0 < \alpha \le 1", "fails"), ("", r"\alpha \ge 1/2", "fails"), ("", r"\alpha \ge -\frac{1}{2}", "fails"), ("", r"\alpha > 0", "fails"), ("", r"\alpha = 0..1", "holds"),
+                ("", r"0 \le \alpha \le 1", None), ("", r"\alpha \ge 0", None), (r"0 \le \alpha \le 1", "n = 1", None), ("", r"n = 3, 0 \le \alpha \le n", None),
+                (r"0 \le x \le 1", r"0 \le \alpha \le x", "fails")):
+            with self.subTest(before=before, ranges=ranges):
+                if expected is not None:
+                    self.assertEqual(verdict(claim, ranges, let + before)["verdict"], expected)
+                else:
+                    self.assertIn("the index \\alpha has bounds and may be a whole number or a real one", check(document(claim, ranges, let + before)).stderr)
+        self.assertEqual(verdict(r"\alpha(1-\alpha) + 0 p_{\alpha}(x) \ge 0", r"0 \le \alpha \le 1, \alpha \in \mathbb{R}", let)["verdict"], "holds")
+        r = check(document(claim + r", \quad 0 \le \alpha \le 1", "n = 1", let))
+        self.assertIn("write \\alpha = 0, 1, \\dots for the first, \\alpha \\in [a, b] for the second", r.stderr)
+        let = "p_q(x) = x^2 + q(q-1)\n"
+        for ranges, expected in (("0 < q < 1", "fails"), ("0 < q \\le 1", "fails"), ("q > 0", "fails"), ("q \\in [0,1]", "fails"), ("q \\ge 1", None), ("0 \\le q \\le 1", None),
+                                 ("n = 3, 0 \\le q \\le n", "holds")):
+            with self.subTest(ranges=ranges):
+                r = check(document("p_q(x) \\ge 0", ranges, let), "--json")
+                self.assertEqual(json.loads(r.stdout)["statements"][0]["verdict"] if r.returncode != 2 else None, expected)
+        for letter in ("i", "j", "n", "\\ell"): # indices by their letter
+            self.assertEqual(verdict(f"p_{letter}(x) \\ge 0", f"0 \\le {letter} \\le 1", f"p_{letter}(x) = x^2 + {letter}({letter}-1)\n")["verdict"], "holds", letter)
+        r = check(":::{let}\n0 \\le \\lambda \\le 1\nT_{\\lambda} = \\lambda\n:::\n:::{statement} s\n:printed: T_{\\lambda} \\ge 1/2\n:find: \\lambda\n:::\n")
+        self.assertIn("It holds for 1/2 ≤ λ ≤ 1", r.stdout)
+
+    def test_definitions_of_functions(self):
+        """An argument that is applied is a function: its definition is put in, and no letter is caught."""
+        let = r"""e_i(s) = s^i
+K(f) = \int_0^1 f(s)\,ds
+b_{n,k}(x) = \binom{n}{k} x^k (1-x)^{n-k}
+A_n(f;x) = \sum_{k=0}^n f\left(\frac{k}{n}\right) b_{n,k}(x)
+K_n(f;x) = (n+1) \sum_{k=0}^n b_{n,k}(x) \int_{k/(n+1)}^{(k+1)/(n+1)} f(s)\,ds
+D(g) = g'(0) + K(g)
+L_n(f;x) = A_n(f;x) - f(x)
+W_n(f;x,y) = \sum_{k=0}^n b_{n,k}(x) f\left(\frac{k}{n}, y\right)
+h(s,t) = s t
+V(f;x) = f(x), \quad 0 \le x \le 1
+c(t;\lambda) = \lambda(1-t)
+p(t;f) = f(1-t) + f t
+"""
+        for printed, expected in (
+                ("K(e_0) = 1", "holds"), (r"K(e_0) = \frac12", "fails"), (r"K(e_n) = \frac{1}{n+1}", "holds"), ("K(2) = 2", "holds"), (r"K(e_1)^2 = \frac14", "holds"), (r"K^2(e_1) = \frac14", "holds"),
+                (r"A_n(e_2;x) = x^2 + \frac{x(1-x)}{n}", "holds"), (r"A_n(e_2;x) = x^2 + \frac{x(1-x)}{n^2}", "fails"), ("A_n(1;x) = 1", "holds"), ("A_n(e_i;1) = e_i(1), \\quad i = 0,1,2,3", "holds"),
+                (r"K_n(e_1;x) = \frac{n}{n+1} x + \frac{1}{2(n+1)}", "holds"), (r"K_n(e_1;x) = \frac{n}{n+1} x + \frac{1}{n+1}", "fails"), (r"\frac{d}{dx} A_n(e_1;x) = 1", "holds"), ("A_n(e_1) = x", "holds"),
+                (r"D(e_1) = \frac32", "holds"), ("D(2) = 2", "holds"), (r"D(e_1) = \frac12", "fails"), ("L_n(e_1;x) = 0", "holds"), ("L_n(e_2;x) = 0", "fails"), ("W_n(h;x,u) = x u", "holds"), ("W_n(h;x,u) = x", "fails"),
+                (r"\sum_{i=0}^2 K(e_i) = \frac{11}{6}", "holds"), (r"V(e_1; \frac12) = \frac12", "holds"), ("V(e_1; 2) = 2", "undecided"), ("A_n(e_2;x) \\ge e_2(x), \\quad x \\in [0,1]", "holds"),
+                ("c(t;2) = 2 - 2 t", "holds"), ("p(t;2) = 2", "holds"), ("x(1-x) = x - x^2", "holds"), (r"x \cdot (y) = x y", "holds"), (r"\omega_1 (x, y) = (\omega_1 x, \omega_1 y)", "holds"), ("x(-1)^n = (-1)^n x", "holds")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
+        for printed, message in (("K(x) = 1", "f of K is a function: write the name of one of 1 argument"), ("K(e_1 + e_0) = 1", "f of K is a function"), ("K(h) = 1", "f of K is a function"), ("W_n(e_1;x,y) = 1", "one of 2 arguments"), ("K = 1", "K was defined of a function: write which, K(f)"),
+                                 ("K'(e_1) = 1", "write its derivative as"), ("K_n(e_1;s) = s", "s is bound in the definition of K_i"), (r"\sum_{k=0}^2 A_n(e_k;x) = 1", "k is bound in the definition of A_i"), ("A_n(e_1;e_1) = x", "x of A_i is a number, and no function")):
+            with self.subTest(printed=printed):
+                self.assertIn(message, check(document(printed, "n = 1..3", let)).stderr)
+        self.assertEqual(verdict(r"A_n(e_2;x) = x^2 + \frac{x(1-x)}{n}", "n = 1..", let)["verdict"], "holds")
+
+    def test_what_could_be_a_q_number_or_a_binomial_coefficient(self):
+        let = "P_0 = (1, 2)\nq > 0\n:use: kronecker \\delta_{ij}\n:use: kronecker \\epsilon_i^j\n"
+        for printed, expected in ((r"[n+1]_q = 1 + q [n]_q", "holds"), (r"(n+1) = 1 + (n)", "holds"), (r"[x - 1] y = x y - y", "holds"), (r"\begin{pmatrix} 1 \\ 2 \end{pmatrix} = P_0", "holds"), (r"\begin{pmatrix} x \\ n \end{pmatrix} = (x, n)", "holds"),
+                                  (r"\begin{bmatrix} n+1 \\ 1 \end{bmatrix}_q = [n+1]_q", "holds"), (r"B_i^2(0) = \delta_{i0}, \quad i = 0,1,2", "holds"), (r"B_i^2(0) = \delta_{i,1}, \quad i = 0,1,2", "fails"), (r"B_i^2(1) = \epsilon_i^2, \quad i = 0,1,2", "holds"),
+                                  (r"\sum_{j=0}^n \delta_{nj} x_j = x_n", "holds"), (r"\sum_{j=0}^n \delta_{nj} x_j = x_0", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
+
+    def test_definitions_that_stand_before_what_is_in_them(self):
+        """A curve and then its functions, in lines, in blocks and in one line; several of one name keep their order."""
+        curve, functions = "p_i(t) = b_{i,0}(t) x_{i-1} + b_{i,1}(t) x_i\n", "b_{i,1}(t) = 1 - b_{i,0}(t)\nb_{i,0}(t) = 1 - t\n"
+        for let in (curve + functions, functions + curve, curve + ":::\n:::{let}\n" + functions):
+            self.assertEqual(verdict("p_n(0) = x_{n-1}, \\quad p_n(1) = x_n", "n = 1..3", let)["verdict"], "holds")
+            self.assertEqual(verdict("p_n(0) = x_n", "n = 1..3", let)["verdict"], "fails")
+        let = "g_0(t) = h_0(t)\ng_i(t) = t^i\nh_i(t) = 7 + i\n"
+        self.assertEqual(verdict("g_0(t) = 7, \\quad g_1(t) = t", "n = 1", let)["verdict"], "holds")
+        for let in ("A_n(t) = \\sum_{i=0}^n x_i c_{n,i}(t), \\qquad c_{n,i}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n", "A_n(t) = \\sum_{i=0}^n x_i c_{n,i}(t) \\text{ where } c_{n,i}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n"):
+            self.assertEqual(verdict("A_n(0) = x_0", "n = 1..3", let)["verdict"], "holds")
+            self.assertEqual(verdict("A_n(0) = x_n", "n = 1..3", let)["verdict"], "fails")
+        r = check(document("x = x", "n = 1", "p(t) = q(t)\nr(t) = p(t)\n"))
+        self.assertIn("5:8: q is not defined", r.stderr)
+        self.assertIn("6:8: p is not defined", r.stderr)
+        let = "P, Q \\in \\mathbb{R}^2\n"
+        self.assertEqual(verdict("M + M = P + Q, \\text{ where } M = \\frac12 (P+Q)", "n = 1", let)["verdict"], "holds")
+        self.assertEqual(verdict("M + M = P, \\text{ where } M = \\frac12 (P+Q)", "n = 1", let)["verdict"], "fails")
+
+    def test_a_value_by_names_of_the_same_kind_is_supposed(self):
+        """\\lambda_i = -\\lambda_{n+1-i} defines nothing; x_i = i^2 does."""
+        let = "\\lambda_i \\in \\mathbb{R}\n"
+        for printed, ranges, expected in ((r"\lambda_1 = 0", r"n = 1..3, i = 0..n, \lambda_i = -\lambda_{n+1-i}", "fails"), (r"\lambda_3 = 9", r"\lambda_i = i^2", "holds"), (r"\lambda_3 = 8", r"\lambda_i = i^2", "fails"),
+                                          (r"\lambda_2 = \lambda_3", r"\lambda_2 = \lambda_3", "holds"), (r"\lambda_1 + \lambda_n = 1", r"n = 2, \lambda_i = -\lambda_{n+1-i}", None)):
+            with self.subTest(printed=printed, ranges=ranges):
+                s = verdict(printed, ranges, let)["verdict"]
+                self.assertEqual(s, expected) if expected is not None else self.assertNotEqual(s, "holds")
+
+    def test_numbers_of_p_and_q(self):
+        let = r"""0 < q < p \le 1
+b_{n,k}^{p,q}(x) = \frac{1}{p^{n(n-1)/2}} \left[\begin{matrix} n \\ k \end{matrix}\right]_{p,q} p^{k(k-1)/2} x^k \prod_{s=0}^{n-k-1} (p^s - q^s x)
+"""
+        for printed, expected in ((r"[n]_{p,q} = \frac{p^n-q^n}{p-q}", "holds"), (r"[n]_{p,q} = \frac{p^n-q^n}{p+q}", "fails"), ("[n+1]_{p,q} = p^n + q [n]_{p,q}", "holds"), ("[n+1]_{p,q} = p^n + p [n]_{p,q}", "fails"),
+                                  (r"\binom{n}{k}_{p,q} = \frac{[n]_{p,q}!}{[k]_{p,q}! [n-k]_{p,q}!}, \quad k = 0,1,\dots,n", "holds"), (r"\binom{n}{k}_{p,q} = \frac{[n]_{p,q}!}{[k]_{p,q}!}, \quad k = 0,1,\dots,n", "fails"),
+                                  (r"\sum_{k=0}^n b_{n,k}^{p,q}(x) = 1", "holds"), (r"\sum_{k=0}^n \frac{[k]_{p,q}}{p^{k-n}[n]_{p,q}} b_{n,k}^{p,q}(x) = x", "holds"), (r"\sum_{k=0}^n \frac{[k]_{p,q}}{[n]_{p,q}} b_{n,k}^{p,q}(x) = x", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
+
+    def test_an_index_that_the_others_give(self):
+        let = r"""D_{\lfloor n/2\rfloor}^n(t) = 5 t, \quad n \ge 2
+D_i^n(t) = t^i
+g_{n-1,n} = 3
+g_{i,n} = i
+"""
+        for printed, expected in (("D_1^2(t) = 5 t", "holds"), ("D_0^2(t) = 1, \\quad D_2^4(t) = D_2^5(t), \\quad D_0^1(t) = 1", "holds"), ("D_2^4(t) = t^2", "fails"), ("g_{2,3} = 3, \\quad g_{3,4} = 3, \\quad g_{1,4} = 1", "holds"), ("g_{2,4} = 3", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
+        self.assertIn("on the left of a definition an index is a letter or a number", check(document("x = x", "n = 1", "q_{j+1} = j\n")).stderr)
+
     def test_bounds_of_one_of_many(self):
         """Those of \\lambda_1 are not those of \\lambda_2, nor those of x_n the ones of all x_i."""
         let = "\\lambda_i \\in \\mathbb{R}\n"
@@ -683,8 +797,9 @@ g(s,t) = s^2 t^3
         block = "q_0(t) = (1-t)^2 (1 - \\lambda_1 t)\nt \\in [0,1]\n\\lambda_1 \\le 1\n"
         self.assertEqual(check_standard("q_0(t) \\ge 0", "n = 1", block)["verdict"], "holds")
         self.assertEqual(check_standard("q_0(t) \\ge 0", "\\lambda_1 \\le 2", block)["verdict"], "fails")
-        r = check(document("x = x", "n = 1", "q(t) = h t\n0 \\le t \\le h\nh = 1/2\n"))
-        self.assertIn("h is not defined", r.stderr)
+        block = "q(t) = h t\n0 \\le t \\le h\nh = 1/2\n"
+        self.assertEqual(verdict("q(t) \\le 1/4", "n = 1", block)["verdict"], "holds")
+        self.assertEqual(verdict("q(t) < 1/4", "n = 1", block)["verdict"], "fails")
 
     def test_conditions_of_definitions(self):
         let = "q_{i,k}(t) = 0, \\quad i < 0 \\text{ or } i > k\nq_{0,0}(t) = 1\nq_{i,k}(t) = (1-t) q_{i,k-1}(t) + t q_{i-1,k-1}(t) \\quad (k \\ge 1)\n"
