@@ -635,12 +635,15 @@ static const cagd_token *range_ahead(const cagd_reader *r, const char *letter)
 /* Letters whose ranges stand ahead are known, though they are not read yet; their number. */
 static int bind_ranges_ahead(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDREN])
 {
-    int used = 0;
-    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++)
-        if (t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) && range_ahead(r, t->word) != NULL) {
+    int used = 0, depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 0 && t > r->token && strchr(",;}", t[-1].word[0]) != NULL && cagd_begins_range(t) &&
+            !cagd_is_known(r, t->word)) {
             room[used] = (struct cagd_bound){t->word, r->bound};
             r->bound = &room[used++];
         }
+    }
     return used;
 }
 
