@@ -127,18 +127,16 @@ static const cagd_tree *index_range(cagd_reader *r)
     return high != NULL ? cagd_relate(r, name->from, 3, (const cagd_tree *[]){low, name, high}, between) : NULL;
 }
 
-/* What stands behind the comma of a definition. */
+/* What stands behind the comma of a definition: conditions, ranges of indices and intervals, with commas between. */
 static const cagd_tree *condition(cagd_reader *r)
 {
-    if (cagd_next_is_member(r))
-        return cagd_read_members(r);
-    const cagd_tree *range = index_range(r);
-    if (range == NULL)
+    const cagd_tree *first = cagd_next_is_member(r) ? cagd_read_members(r) : index_range(r);
+    if (first == NULL)
         return r->error->message[0] == '\0' ? cagd_read_alternatives(r) : NULL;
-    if (!cagd_pass(r, ",") || r->token->kind == CAGD_TOKEN_END)
-        return range;
+    if (!(cagd_pass(r, ",") || cagd_pass(r, ";")) || r->token->kind == CAGD_TOKEN_END)
+        return first;
     const cagd_tree *more = condition(r);
-    return cagd_new_of(r, CAGD_ALL, range->from, 2, (const cagd_tree *[]){range, more});
+    return cagd_new_of(r, CAGD_ALL, first->from, 2, (const cagd_tree *[]){first, more});
 }
 
 static int definition(cagd_reader *r, cagd_scope *scope);

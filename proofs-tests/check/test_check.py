@@ -764,6 +764,8 @@ g(s,t) = s^2 t^3
                 (r"B_i^2(t) \ge 0\ (i = 0, 1, 2)", r"0 \le t \le 1", "holds"), (r"B_i^2(t) \ge 0~(i = 0, 1, 2)", r"0 \le t \le 1", "holds"), (r"B_i^2(t) \ge 0 \qquad i = 0, 1, 2", r"0 \le t \le 1", "holds"), (r"B_i^2(t) > 0\;(i = 0, 1, 2)", r"0 \le t \le 1", "fails")):
             with self.subTest(printed=printed, ranges=ranges):
                 self.assertEqual(verdict(printed, ranges, "D_{i,n}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n")["verdict"], expected)
+        piece = r"g_i(t) = t^i, \quad t \in [0,1],\; i = 1, 2, \dots, 2," + "\n"
+        self.assertEqual([verdict(f"g_{k}(1/2) = 1/{2**k}", "n = 1", piece)["verdict"] for k in (2, 3)], ["holds", "undecided"])
         bounds = r"-\binom ni \le y_i \le \binom{n}{i-1}" + "\n"
         self.assertEqual(verdict(r"y_i + \binom{n}{i} \ge 0", "n = 1..4, i = 0..n", bounds)["verdict"], "holds")
         self.assertEqual(verdict(r"y_i + \binom{n}{i} \ge 1", "n = 1..4, i = 0..n", bounds)["verdict"], "fails")
