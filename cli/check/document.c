@@ -761,9 +761,9 @@ static const cagd_tree *with_what_is_supposed(const struct behind *b, const cagd
     return both;
 }
 
-/* A formula with its ranges and a second one behind them, b_i(0) = 0, i = 1, 2, b_i(1) = 1, i = 0, 1: it is asked what is meant. */
+/* A formula with its ranges and a second one behind them, b_i(0) = 0, i = 1, 2, b_i(1) = 1, i = 0, 1: it is asked what is meant, if so many tries find it. */
 static void ask_for_second(const struct document *d, const cagd_scope *scope, int from, int at, int begin, int stop,
-                           cagd_reading_error *asked)
+                           int *tries, cagd_reading_error *asked)
 {
     int depth = 0;
     for (int k = begin; k < stop; k++) {
@@ -775,7 +775,7 @@ static void ask_for_second(const struct document *d, const cagd_scope *scope, in
         if (next < 0 && depth == 0 && k > begin && strncmp(d->text + k, "\\qquad", 6) == 0)
             next = k;
         depth += (strchr("({[", d->text[k]) != NULL) - (strchr(")}]", d->text[k]) != NULL);
-        if (next < 0 || !is_list_of_letter(d->text, begin, k) ||
+        if (next < 0 || !is_list_of_letter(d->text, begin, k) || --*tries < 0 ||
             !cagd_read_ranges(&known, d->text, begin, k, &unused) ||
             cagd_read_statement(&known, d->text, from, at, &unused) == NULL)
             continue;
@@ -793,7 +793,8 @@ static void ask_for_second(const struct document *d, const cagd_scope *scope, in
 static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope *scope, int from, int to,
                                            cagd_reading_error *error)
 {
-    int depth = 0;
+    enum { MOST_TRIES = 60, MOST_PLACES = 40 };
+    int depth = 0, tries = MOST_TRIES, places = 0;
     cagd_reading_error asked = {0};
     while (to > from && strchr(" \n.,;", d->text[to - 1]) != NULL)
         to--;
@@ -804,13 +805,15 @@ static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope 
         depth += (strchr("({[", d->text[at]) != NULL) - (strchr(")}]", d->text[at]) != NULL);
         if (begin < 0 || begin >= stop)
             continue;
+        if (++places > MOST_PLACES) /* no formula has so many */
+            break;
         if (!is_list(d->text, begin, stop) && cagd_read_statement(scope, d->text, from, at, &unused) != NULL)
             continue;
         if (!cagd_read_ranges(&known, d->text, begin, stop, &unused)) {
             if (unused.of_list && asked.message[0] == '\0')
                 asked = unused;
             if (asked.message[0] == '\0')
-                ask_for_second(d, scope, from, at, begin, stop, &asked);
+                ask_for_second(d, scope, from, at, begin, stop, &tries, &asked);
             continue;
         }
         cagd_reading_error before = {0};

@@ -114,15 +114,17 @@ int cagd_next_is_other_definition(const cagd_reader *r)
     return name != NULL && (strcmp(name->head, r->defines) == 0 || !cagd_is_known(r, name->head));
 }
 
-/* What stands behind the comma of a definition; another definition may follow it, behind a comma. */
+/* What stands behind the comma of a definition: conditions, ranges of indices and intervals, with commas between; another definition may follow it. */
 static const cagd_tree *condition(cagd_reader *r)
 {
-    if (cagd_next_is_member(r))
-        return cagd_read_members(r);
     r->lists++, r->premises++;
-    const cagd_tree *t = cagd_read_alternatives(r);
+    const cagd_tree *first = cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_alternatives(r);
     r->lists--, r->premises--;
-    return t;
+    if (first == NULL)
+        return NULL;
+    int more = cagd_next_is_member(r) || ((cagd_pass(r, ",") || cagd_pass(r, ";")) &&
+                                          r->token->kind != CAGD_TOKEN_END && !cagd_next_is_other_definition(r));
+    return more ? cagd_new_of(r, CAGD_ALL, first->from, 2, (const cagd_tree *[]){first, condition(r)}) : first;
 }
 
 static int definition(cagd_reader *r, cagd_scope *scope);
@@ -635,12 +637,15 @@ static const cagd_token *range_ahead(const cagd_reader *r, const char *letter)
 /* Letters whose ranges stand ahead are known, though they are not read yet; their number. */
 static int bind_ranges_ahead(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDREN])
 {
-    int used = 0;
-    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++)
-        if (t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) && range_ahead(r, t->word) != NULL) {
+    int used = 0, depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 0 && t > r->token && strchr(",;}", t[-1].word[0]) != NULL && cagd_begins_range(t) &&
+            !cagd_is_known(r, t->word)) {
             room[used] = (struct cagd_bound){t->word, r->bound, 0};
             r->bound = &room[used++];
         }
+    }
     return used;
 }
 

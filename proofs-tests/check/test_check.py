@@ -846,6 +846,55 @@ g_{i,n} = i
             self.assertEqual(verdict(f"x + y = 1 \\text{{ where }} {told}", "u = 1/3")["verdict"], "holds")
             self.assertEqual(verdict(f"x + y = 2, \\quad {told}", "u = 1/3")["verdict"], "fails")
 
+    def test_what_is_supposed_of_indices(self):
+        """A range whose letter stands in what is supposed alone belongs to it, for all of it; in every order and notation, and not beyond it."""
+        for printed, ranges, expected in (
+                (r"x_3 = 0 \text{ if } x_j = 0 \text{ for } j = 1, 2", "n = 1", "fails"), (r"x_3 = 0 \text{ if } x_j = 0, j = 1, 2", "n = 1", "fails"), (r"x_1 + x_2 = 0 \text{ if } x_j = 0, j = 1, 2", "n = 1", "holds"),
+                (r"x_1 + x_2 = 0 \text{ if } x_j = 0 \ (j = 1, 2)", "n = 1", "holds"), (r"x_j = 0, j = 1, 2 \Rightarrow x_1 + x_2 = 0", "n = 1", "holds"), (r"x_j \ge 0, j = 1, 2 \Rightarrow x_3 \ge 0", "n = 1", "fails"),
+                (r"\text{If } x_j \ge 0 \text{ for } j = 1, 2, \text{ then } x_1 + x_2 \ge 0", "n = 1", "holds"), (r"\text{If } x_j \ge 0 \text{ for } j = 1, 2, \text{ then } x_3 \ge 0", "n = 1", "fails"),
+                (r"x_1 + x_2 = x_3 + x_4 \text{ if } x_j = x_{5-j} \text{ for } j = 1, 2", "n = 1", "holds"), (r"x_1 + x_2 = x_3 + x_4 \text{ if } x_j = x_{5-j}, j = 1, \dots, n", "n = 2", "holds"), (r"x_1 + x_2 = x_3 + x_4 \text{ if } x_j = x_{5-j}, j = 1, \dots, n", "n = 1", "fails"),
+                (r"x_1 + x_2 = x_3 + x_4, \quad x_j = x_{5-j}, \quad j = 1, 2", "n = 1", "undecided"), (r"x_3 \ge 0, \quad x_j \ge 0, \quad j = 1, 2", "n = 1", "fails"), (r"x_1 + x_2 \ge 0, \quad j = 1, 2, \quad x_j \ge 0", "n = 1", "holds"),
+                (r"x_i y = 0 \text{ if } x_i = 0, i = 1, 2", "n = 1", "holds"), (r"x_{3-i} = 0 \text{ if } x_i = 0, i = 1, 2", "n = 1", "undecided"), (r"x_i \ge 0 \text{ if } x_i^2 \ge 1, i = 1, 2", "n = 1", "fails"),
+                ("x_3 = 0", "x_j = 0, j = 1, 2", "fails"), ("x_3 = 0", "j = 1, 2, x_j = 0", "fails"), ("x_1 + x_2 = 0", "x_j = 0, j = 1, 2", "holds"), (r"x_3 \ge 0", r"x_j \ge 0, j = 1, 2", "fails"), (r"x_1 + x_2 \ge 0", r"j = 1, 2, x_j \ge 0", "holds"),
+                (r"x_0 \le x_2", r"x_j \le x_{j+1}, j = 0, 1", "holds"), (r"x_0 \le x_3", r"x_j \le x_{j+1}, j = 0, 1", "fails"), (r"x_0 \le x_{n+1}", r"x_j \le x_{j+1}, j = 0, \dots, n-1, n = 1..3", "fails"), (r"x_0 \le x_n", r"x_j \le x_{j+1}, j = 0, \dots, n-1, n = 1..3", "holds")):
+            with self.subTest(printed=printed, ranges=ranges):
+                self.assertEqual(verdict(printed, ranges)["verdict"], expected)
+        self.assertEqual(verdict(r"x_1 + x_3^2 \ge 0", r"x_j \ge 0, j = 1, 2")["scope"], "0 ≤ xᵢ for i = 1 to 2")
+
+    def test_bounds_of_a_variable_behind_a_formula(self):
+        """They are supposed beside intervals, of known knots, in one relation; what else can be said is asked for, and what is false with them fails."""
+        for printed, expected in (
+                (r"x y (1-y) \ge 0, \quad 0 \le x \le 1, y \in [0,1]", "holds"), (r"x y (1-y) \ge 0, \quad x > 0, y \in [0,1]", "holds"), (r"x y (1-y) \ge 0, \quad y \in [0,1], x > 0", "holds"), (r"x y (1-y) > 0, \quad y \in [0,1], x > 0", "fails"),
+                (r"x y (1-y) \ge 0 \text{ for } y \in [0,1] \text{ and } 0 \le x \le 1", "holds"), (r"x y (1-y) \ge 0 \quad (0 \le x \le 1, y \in [0,1])", "holds"), (r"\text{If } 0 \le x \le 1, y \in [0,1], \text{ then } x y (1-y) \ge 0", "holds"),
+                (r"|u| = u, \qquad k_0 \le u < k_1", "holds"), (r"|u| = u + 1, \qquad k_0 \le u < k_1", "fails"), (r"u - x_i \ge 0, \quad x_i \le u < x_{i+1}, \quad i = 0, 1, \dots, n", "holds"), (r"u - x_i > 0, \quad x_i \le u < x_{i+1}, \quad i = 0, 1, \dots, n", "fails"),
+                (r"x^2 \ge 1, x \ge 1 \text{ if } x^2 \ge 1", "undecided"), (r"x^2 \ge 1 \Rightarrow x^2 \ge 0, x \ge 1", "fails"), (r"x \ge 0, \quad x^3 \ge 0", "holds"), (r"x^2 \ge 0, \quad x \ge y", "undecided")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1", "k_i = i\n")["verdict"], expected)
+        self.assertEqual(verdict(r"x y (1-y) \ge 0, \quad y \in [0,1], x > 0", "n = 1")["scope"].removesuffix(", n = 1"), "all x, all y, y ∈ [0,1], x > 0")
+
+    def test_ranges_in_any_order(self):
+        """A range may have the letter of one behind it; in brackets and behind a wide space it needs no comma; bounds may have n."""
+        for printed, ranges, expected in (
+                (r"D_{i,n}^{(j)}(0) = 0, \quad j = 0, 1, \ldots, i-1,\ i = 1, 2, \ldots, n", "n = 3", "holds"), (r"D_{i,n}^{(j)}(0) = 0, \quad j = 0, 1, \ldots, i,\ i = 1, 2, \ldots, n", "n = 3", "fails"), ("D_{i,n}^{(j)}(0) = 0", "j = 0..i-1, i = 1..n, n = 1..3", "holds"),
+                (r"B_i^2(t) \ge 0\ (i = 0, 1, 2)", r"0 \le t \le 1", "holds"), (r"B_i^2(t) \ge 0~(i = 0, 1, 2)", r"0 \le t \le 1", "holds"), (r"B_i^2(t) \ge 0 \qquad i = 0, 1, 2", r"0 \le t \le 1", "holds"), (r"B_i^2(t) > 0\;(i = 0, 1, 2)", r"0 \le t \le 1", "fails")):
+            with self.subTest(printed=printed, ranges=ranges):
+                self.assertEqual(verdict(printed, ranges, "D_{i,n}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n")["verdict"], expected)
+        piece = r"g_i(t) = t^i, \quad t \in [0,1],\; i = 1, 2, \dots, 2," + "\n"
+        self.assertEqual([verdict(f"g_{k}(1/2) = 1/{2**k}", "n = 1", piece)["verdict"] for k in (2, 3)], ["holds", "undecided"])
+        bounds = r"-\binom ni \le y_i \le \binom{n}{i-1}" + "\n"
+        self.assertEqual(verdict(r"y_i + \binom{n}{i} \ge 0", "n = 1..4, i = 0..n", bounds)["verdict"], "holds")
+        self.assertEqual(verdict(r"y_i + \binom{n}{i} \ge 1", "n = 1..4, i = 0..n", bounds)["verdict"], "fails")
+        self.assertIn("the bounds of y_i have n, which has no value here", check(document("y_2 + 3 \\ge 0", "t = 1", bounds)).stderr)
+
+    def test_what_can_be_said_or_supposed_behind_ranges_is_asked_for(self):
+        for printed in (r"B_i^2(t) = B_{2-i}^2(1-t), \quad i = 0, 1, 2, \quad B_0^2(t) + B_2^2(t) = 1", r"B_i^2(t) = B_{2-i}^2(1-t), \quad i = 0, 1, 2, \text{ and } B_0^2(t) + B_2^2(t) = 1", r"B_i^2(t) = B_{2-i}^2(1-t), i = 0, 1, 2, \qquad \sum_{i=0}^2 B_i^2(t) = 1",
+                        r"B_i^2(0) = 0, i = 1, 2, B_i^2(1) = 7, i = 0, 1", r"B_i^2(t) = B_i^2(u), i = 0, 1, 2, u = t", r"(u+v) B_i^2(t) = B_i^2(t), i = 0, 1, 2, u + v = 1", r"x y (1-y) \ge 0, y \in [0,1], x = y", r"x (1-x) \ge 0 \text{ for } x \in [0,1], F(x) = x"):
+            with self.subTest(printed=printed):
+                self.assertIn("is this said as well, or supposed? write \\text{where} before what is supposed", check(document(printed, "n = 1", "t \\in \\mathbb{R}\n")).stderr)
+        self.assertEqual(verdict(r"(u+v) B_i^2(t) = B_i^2(t), i = 0, 1, 2, \text{ where } u + v = 1", "t = 1/3")["verdict"], "holds")
+        self.assertEqual(verdict(r"\sum_{k=0}^2 B_k^2(t) = 1, \quad B_i^2(t) \ge 0, \quad i = 0, 1, 2", r"0 \le t \le 1")["verdict"], "holds")
+        self.assertIn("is the range of i that of what is supposed alone?", check(document(r"x_i \ge 0, i = 1, 2 \Rightarrow y^2 + x_i \ge 0")).stderr)
+
     def test_arguments_are_left_out_behind_a_semicolon_alone(self):
         self.assertEqual(verdict("G(t) = 2 t y", "n = 1", "G(t;y) = 2 t y\n")["verdict"], "holds")
 
