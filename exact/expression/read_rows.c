@@ -149,7 +149,7 @@ void cagd_open_rows(cagd_token list[])
     if (strcmp(name, "array") == 0 || strcmp(name, "alignedat") == 0 || strcmp(name, "alignat") == 0)
         first = behind_group(first, columns, sizeof columns);
     const cagd_token *end = which >= 0 ? end_of_rows(first) : NULL;
-    if (end == NULL || end->kind == CAGD_TOKEN_END || (which < OF_VALUES && !is_formula(first, end))) {
+    if (end == NULL || end->kind == CAGD_TOKEN_END || ((which < OF_VALUES || brace) && !is_formula(first, end))) {
         for (end = list; end->kind != CAGD_TOKEN_END;)
             end++;
         if (has_rows(list))
