@@ -160,8 +160,10 @@ static const char *in_words_of_paper(const struct document *d, const cagd_readin
     char text[MESSAGE];
     if (chunk_at(d, e->from) != NULL && (behind != NULL || numbers != NULL)) {
         const char *at = behind != NULL ? line : numbers;
-        snprintf(text, sizeof text, "%.*s; '%% cagd: %s %.*s", (int)(at - message), message, behind != NULL ? "let" : "for",
-                 (int)((behind != NULL ? behind : message + strlen(message)) - at) - (int)(behind != NULL ? strlen(begin) : strlen(range)),
+        snprintf(text, sizeof text, "%.*s; '%% cagd: %s %.*s", (int)(at - message), message,
+                 behind != NULL ? "let" : "for",
+                 (int)((behind != NULL ? behind : message + strlen(message)) - at) -
+                     (int)(behind != NULL ? strlen(begin) : strlen(range)),
                  at + (behind != NULL ? strlen(begin) : strlen(range)));
         if (behind != NULL)
             snprintf(text + strlen(text), sizeof text - strlen(text), "' makes it a whole number");
@@ -363,8 +365,8 @@ static void read_waiting(struct document *d)
         cagd_reading_error error;
         int others = d->waits;
         d->waits = k; /* those before it */
-        int stays = is_of_one_that_waits(d, w.from, w.to) ||
-                    !cagd_read_definition(&d->scope, d->text, w.from, w.to, &error);
+        int stays =
+            is_of_one_that_waits(d, w.from, w.to) || !cagd_read_definition(&d->scope, d->text, w.from, w.to, &error);
         d->waits = others;
         if (stays)
             continue;

@@ -208,9 +208,10 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, 
         if (arity == 0)
             continue;
         if (!is_first || k >= 32 || has_index_of_its_own(left) || (d->functions != 0 && d->arity != arity))
-            return cagd_refuse_tree(r, left->at[k],
-                                    "%s is a function there: such a definition stands alone, and its indices are letters",
-                                    left->at[k]->head) != NULL;
+            return cagd_refuse_tree(
+                       r, left->at[k],
+                       "%s is a function there: such a definition stands alone, and its indices are letters",
+                       left->at[k]->head) != NULL;
         d->functions |= 1u << k, d->arity = bound[k].arity = arity;
     }
     r->defining++;
@@ -227,7 +228,8 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, 
         }
     }
     if (read && given != NULL)
-        d->when = d->when == NULL ? given : cagd_new_of(r, CAGD_ALL, left->from, 2, (const cagd_tree *[]){given, d->when});
+        d->when =
+            d->when == NULL ? given : cagd_new_of(r, CAGD_ALL, left->from, 2, (const cagd_tree *[]){given, d->when});
     r->defining--;
     r->bound = outside;
     return read && (given == NULL || d->when != NULL);
@@ -349,7 +351,9 @@ static int in_other_order(cagd_scope *scope, const char *text, int from, int to)
 {
     cagd_reader r;
     cagd_reading_error error;
-    int end, begin = cagd_reader_open(&r, scope, text, from, to, &error) && is_definition(r.token) ? second_definition(&r, &end) : 0;
+    int end, begin = cagd_reader_open(&r, scope, text, from, to, &error) && is_definition(r.token)
+                         ? second_definition(&r, &end)
+                         : 0;
     return begin > 0 && cagd_read_definition(scope, text, begin, to, &error) &&
            cagd_read_definition(scope, text, from, end, &error);
 }
@@ -680,7 +684,8 @@ static int suppose_for_every(cagd_reader *r, cagd_scope *scope, const cagd_tree 
         if (name->at[k]->kind == CAGD_NUMBER)
             continue;
         if (letter != NULL)
-            return cagd_refuse_tree(r, name, "a condition for every index has one letter: write it behind the formula") != NULL;
+            return cagd_refuse_tree(r, name,
+                                    "a condition for every index has one letter: write it behind the formula") != NULL;
         letter = name->at[k];
     }
     if (cagd_declared(scope, name->head) == NULL)

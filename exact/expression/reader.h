@@ -27,8 +27,8 @@ typedef struct cagd_reader {
     int amounts;   /* and | that of a number                                  */
     int ends;      /* where a range is read: dots stand between its ends      */
     int nodes;
-    int defining; /* the right side of a definition */
-    int looking; /* ahead, where nothing is asked for that would be read once more */
+    int defining;               /* the right side of a definition */
+    int looking;                /* ahead, where nothing is asked for that would be read once more */
     const cagd_token *left_out; /* the last dots that leave steps of a chain out */
 } cagd_reader;
 
