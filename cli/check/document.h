@@ -90,7 +90,7 @@ struct sheet {
 enum { MOST_WAITING = 40 };
 struct waiting {
     int from, to;
-    const char *left_out; /* NULL, or the name under which it is left out: nobody said that it is to be read */
+    const char *left_out;     /* NULL, or the name under which it is left out: nobody said that it is to be read */
     cagd_reading_error error; /* where it is given up */
 };
 

@@ -630,7 +630,8 @@ static const cagd_tree *block(cagd_reader *r, int from)
     int has_name = 0;
     int has_q = strcmp(r->token[r->token->kind != CAGD_TOKEN_END && cagd_next_is(r, "]")].word, "_") == 0;
     if (t != NULL && t->kind == CAGD_POINT && t->dimension == 2 && !has_q &&
-        cagd_is_of_whole_numbers(r, t->at[0], &has_name) && cagd_is_of_whole_numbers(r, t->at[1], &has_name) && has_name)
+        cagd_is_of_whole_numbers(r, t->at[0], &has_name) && cagd_is_of_whole_numbers(r, t->at[1], &has_name) &&
+        has_name)
         return cagd_refuse_tree(r, t, "a binomial coefficient, or a vector? write \\binom{n}{k}, or (n, k)");
     return t != NULL && t->kind == CAGD_POINT && t->count == 2 ? with_q(r, t, from) : t;
 }

@@ -168,10 +168,11 @@ const cagd_tree *cagd_put_in_functional(cagd_reader *r, const cagd_definition *d
         int is_function = d->functions >> k & 1;
         given[k] = t->at[k];
         if (is_function && !is_function_of(r, t->at[k], d->arity))
-            return cagd_refuse_tree(r, t->at[k],
-                                    "%s of %s is a function: write the name of one of %d argument%s, such as e_1 behind "
-                                    "e_i(t) = t^i, or a number",
-                                    d->left->at[k]->head, name, d->arity, d->arity == 1 ? "" : "s");
+            return cagd_refuse_tree(
+                r, t->at[k],
+                "%s of %s is a function: write the name of one of %d argument%s, such as e_1 behind "
+                "e_i(t) = t^i, or a number",
+                d->left->at[k]->head, name, d->arity, d->arity == 1 ? "" : "s");
         if (!is_function && cagd_is_bare_function(r, t->at[k]))
             return cagd_refuse_tree(r, t->at[k], "%s of %s is a number, and no function", d->left->at[k]->head, name);
     }

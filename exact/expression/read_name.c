@@ -436,11 +436,11 @@ cagd_tree *cagd_complain_of_letter(cagd_reader *r, int from, int to, const char 
         cagd_refuse_reading(r->error, from, to, "%s is not defined", letter);
     else if (r->defining)
         cagd_refuse_reading(r->error, from, to,
-                            "%s is not defined; a line '%s \\in \\mathbb{N}' in a let block makes it a whole number", letter,
-                            letter);
-    else
-        cagd_refuse_reading(r->error, from, to, "%s is not defined; ':for: %s = 1..4' says for which numbers it is meant",
+                            "%s is not defined; a line '%s \\in \\mathbb{N}' in a let block makes it a whole number",
                             letter, letter);
+    else
+        cagd_refuse_reading(r->error, from, to,
+                            "%s is not defined; ':for: %s = 1..4' says for which numbers it is meant", letter, letter);
     return NULL;
 }
 
@@ -456,7 +456,8 @@ static const char *spelled_with_indices(const struct parts *p)
     for (int k = 0; k < p->lower && used < (int)sizeof text; k++) {
         const cagd_tree *t = p->of_lower[k];
         int is_letter = t->kind == CAGD_NAME && t->count == 0;
-        used += snprintf(text + used, sizeof text - (size_t)used, "%s%s", k > 0 ? "," : "", is_letter ? t->head : letters[k]);
+        used += snprintf(text + used, sizeof text - (size_t)used, "%s%s", k > 0 ? "," : "",
+                         is_letter ? t->head : letters[k]);
     }
     if (used < (int)sizeof text)
         used += snprintf(text + used, sizeof text - (size_t)used, "%s", p->lower > 1 ? "}" : "");
@@ -468,9 +469,10 @@ static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const stru
 {
     const char *near = cagd_nearest(r->scope, p->head), *name = spelled_with_indices(p), *word = word_at(r, from);
     if (strcmp(p->head, "\\delta_") == 0 && p->lower + p->upper + (p->lower == 1 && p->power != NULL) == 2)
-        return cagd_refuse_reading(r->error, from, r->token[-1].to,
-                                   "\\delta_{ij} is not defined; in a let block ':use: kronecker \\delta_{ij}' makes it 1 for "
-                                   "i = j and else 0"),
+        return cagd_refuse_reading(
+                   r->error, from, r->token[-1].to,
+                   "\\delta_{ij} is not defined; in a let block ':use: kronecker \\delta_{ij}' makes it 1 for "
+                   "i = j and else 0"),
                NULL;
     if (word != NULL && is_one_of_words(word, said_words))
         return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; words stand in \\text{%s}",
@@ -595,11 +597,13 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     cagd_reader behind_brace = *r;
     behind_brace.token += cagd_next_is(r, "{") && strcmp(r->token[1].word, "(") == 0; /* f{(0)}, printed as f(0) */
     if (most == 0 && is_known && !r->declaring && !r->looking && cagd_next_is(&behind_brace, "(") && !is_spaced(r) &&
-        bracket_is_of_arguments(&behind_brace, p.lower + p.upper > 0 || cagd_is_matrix(cagd_dimension_of(r->scope, p.head))))
-        return cagd_refuse_token(r,
-                                 "a value of %s, which was not defined with arguments, or a product? define %s, or write "
-                                 "\\cdot before the bracket",
-                                 cagd_spelled(p.head), cagd_spelled(p.head));
+        bracket_is_of_arguments(&behind_brace,
+                                p.lower + p.upper > 0 || cagd_is_matrix(cagd_dimension_of(r->scope, p.head))))
+        return cagd_refuse_token(
+            r,
+            "a value of %s, which was not defined with arguments, or a product? define %s, or write "
+            "\\cdot before the bracket",
+            cagd_spelled(p.head), cagd_spelled(p.head));
     cagd_tree *t = cagd_new(r, CAGD_NAME, from, p.lower + p.upper + p.arguments);
     if (t == NULL)
         return NULL;

@@ -238,8 +238,8 @@ static int is_one_of(const char *head, const char *const list[])
 
 int cagd_is_usual_index(const char *head)
 {
-    static const char *const letters[] = {"i", "j", "k", "l", "m", "n", "r", "\\ell", "I",
-                                          "J", "K", "L", "M", "N", "R", NULL};
+    static const char *const letters[] = {"i", "j", "k", "l", "m", "n", "r", "\\ell",
+                                          "I", "J", "K", "L", "M", "N", "R", NULL};
     return is_one_of(head, letters);
 }
 
@@ -259,8 +259,11 @@ enum kind_of_number { IS_REAL, IS_WHOLE, IS_EITHER };
  * end of an index.  0 <= i <= 1 are two by the letter; of 0 <= alpha <= 1 it is not known. */
 static enum kind_of_number kind_of(const cagd_scope *scope, const cagd_variable *v)
 {
-    static const char *const of_some[] = {"p", "s", "d", "e", "P", "Q", "S", "D", NULL},
-                             *const up_to[] = {"q", "\\mu", "\\nu", "\\rho", "\\kappa", "\\sigma", "\\iota", NULL};
+    static const char *const of_some[] = {"p", "s", "d", "e", "P", "Q", "S", "D", NULL}, *const up_to[] = {
+                                                                                             "q",       "\\mu",
+                                                                                             "\\nu",    "\\rho",
+                                                                                             "\\kappa", "\\sigma",
+                                                                                             "\\iota",  NULL};
     cagd_num_q low, high;
     int has_low = is_number(v->low, &low), has_high = v->high != NULL && is_number(v->high, &high);
     int is_usual = cagd_is_usual_index(v->head), is_strict = v->low_open || v->high_open;
@@ -275,7 +278,8 @@ static enum kind_of_number kind_of(const cagd_scope *scope, const cagd_variable 
         return IS_WHOLE;
     if ((!has_low && has_real(scope, v->low)) || (v->high != NULL && !has_high && has_real(scope, v->high)))
         return IS_REAL;
-    int to_n = v->high != NULL && !has_high, few = has_low && has_high && cagd_compare_q(cagd_sub_q(high, low), from_int_q(1)) <= 0;
+    int to_n = v->high != NULL && !has_high,
+        few = has_low && has_high && cagd_compare_q(cagd_sub_q(high, low), from_int_q(1)) <= 0;
     if ((is_one_of(v->head, of_some) && !few) || (is_one_of(v->head, up_to) && to_n))
         return IS_WHOLE;
     return is_strict ? IS_REAL : IS_EITHER;
@@ -320,10 +324,11 @@ static int make_whole(cagd_scope *scope, const cagd_tree *t, int in_index, cagd_
     if (in_index && may_become_whole(scope, t, &v)) {
         enum kind_of_number kind = kind_of(scope, &v);
         if (kind == IS_EITHER)
-            return cagd_refuse_reading(error, t->from, t->to,
-                                       "the index %s has bounds and may be a whole number or a real one: write %s = 0, 1, "
-                                       "\\dots for the first, %s \\in [a, %s for the second",
-                                       v.head, v.head, v.head, v.high != NULL ? "b]" : "\\infty)");
+            return cagd_refuse_reading(
+                error, t->from, t->to,
+                "the index %s has bounds and may be a whole number or a real one: write %s = 0, 1, "
+                "\\dots for the first, %s \\in [a, %s for the second",
+                v.head, v.head, v.head, v.high != NULL ? "b]" : "\\infty)");
         return kind == IS_REAL || become_whole(scope, &v);
     }
     for (int k = 0; k < t->count; k++)

@@ -12,7 +12,7 @@ typedef struct cagd_definition {
     int dimension;                       /* of a vector or matrix; 0 of a number          */
     unsigned functions; /* bits: which children of the left side are functions; they have `arity` arguments   */
     int arity;
-    struct cagd_definition *next;        /* in the order in which they were written       */
+    struct cagd_definition *next; /* in the order in which they were written       */
 } cagd_definition;
 
 /* A variable, with so many lower and upper indices: "\omega_i", "t"; or one of them alone, "\omega_3", whose bounds are not those of the others.
