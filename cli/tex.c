@@ -76,7 +76,8 @@ static const struct {
     {"cos", "cos"}, {"tan", "tan"}, {"sec", "sec"}, {"arctan", "arctan"}, {"iota", "ι"}, {"csc", "csc"}, {"det", "det"}, {"lim", "lim"}, {"deg", "deg"}, {"ln", "ln"},
     {"log", "log"}, {"exp", "exp"}, {"sup", "sup"}, {"inf", "inf"}, {"arcsin", "arcsin"}, {"arccos", "arccos"},
     {"left", ""}, {"right", ""}, {"big", ""}, {"Big", ""}, {"bigl", ""}, {"bigr", ""}, {"Bigl", ""}, {"Bigr", ""},
-    {"bigm", " "}, {"Bigm", " "},
+    {"Longrightarrow", "⇒"}, {"implies", "⇒"}, {"impliedby", "⇐"}, {"Longleftarrow", "⇐"}, {"Leftarrow", "⇐"},
+    {"bigm", " "}, {"Bigm", " "}, {"hline", ""}, {"lbrace", "{"}, {"rbrace", "}"}, {"biggl", ""}, {"biggr", ""}, {"bigg", ""}, {"rm", ""}, {"bf", ""}, {"it", ""}, {"cal", ""}, {"sf", ""}, {"notag", ""}, {"nonumber", ""},
     {"displaystyle", ""}, {"limits", ""}, {"nolimits", ""}, {"textstyle", ""}, {"Re", "Re"}, {"bot", "⊥"},
     {"longrightarrow", "⟶"}, {"rightarrow", "→"}, {"star", "*"}, {"ast", "*"}, {"Longleftrightarrow", "⟺"}};
 
@@ -84,7 +85,8 @@ static const struct {
 static const struct {
     const char *word, *after;
 } faces[] = {{"mathbf", ""}, {"boldsymbol", ""}, {"mathrm", ""}, {"mathit", ""}, {"text", ""}, {"mathcal", ""},
-             {"mathfrak", ""}, {"operatorname", ""}, {"textbf", ""}, {"mathbb", ""}, {"emph", ""}, {"textit", ""},
+             {"mathfrak", ""}, {"operatorname", ""}, {"bm", ""}, {"pmb", ""}, {"mathsf", ""}, {"mathscr", ""}, {"mathtt", ""},
+             {"mbox", ""}, {"hbox", ""}, {"textrm", ""}, {"textnormal", ""}, {"textup", ""}, {"substack", ""}, {"textbf", ""}, {"mathbb", ""}, {"emph", ""}, {"textit", ""},
              {"hat", "\xCC\x82"}, {"widehat", "\xCC\x82"}, {"bar", "\xCC\x84"}, {"overline", "\xCC\x84"},
              {"tilde", "\xCC\x83"}, {"widetilde", "\xCC\x83"}, {"dddot", "\xE2\x83\x9B"}, {"dot", "\xCC\x87"}, {"ddot", "\xCC\x88"},
              {"vec", "\xE2\x83\x97"}, {"underline", "\xCC\xB2"}};
@@ -93,7 +95,7 @@ static const struct {
 static int is_relation(const char *text)
 {
     static const char *const relations[] = {"≤", "≥", "≠", "≡", "≈", "∼", "∈", "∉", "⊂", "⊆", "⊇", "→", "↦", "⇒",
-                                            "⇔", "⟶", "⟺", "±", "∓", "×", "∥", "⊥", "∪", "∩", "⊕", "≪", "≫"};
+                                            "⇔", "⇐", "⟶", "⟺", "±", "∓", "×", "∥", "⊥", "∪", "∩", "⊕", "≪", "≫"};
     for (size_t k = 0; k < sizeof relations / sizeof *relations; k++)
         if (strcmp(relations[k], text) == 0)
             return 1;
@@ -309,6 +311,43 @@ static int has_limits(const char *word)
     return is_sum(word) || strcmp(word, "lim") == 0 || strcmp(word, "max") == 0 || strcmp(word, "min") == 0;
 }
 
+/* The bytes of the sign of a differential at s, d or ∂; 0 where there is none. */
+static size_t differential(const char *s)
+{
+    return s[0] == 'd' ? 1 : strncmp(s, "∂", strlen("∂")) == 0 ? strlen("∂") : 0;
+}
+
+/* Behind the end of a row: the star and the space to the next one belong to it, \\*, \\[3mm]. */
+static const char *behind_break(const char *s)
+{
+    s += *s == '*';
+    if (*s != '[')
+        return s;
+    const char *unit = s + 1 + strspn(s + 1, "0123456789.,+- ");
+    size_t n = *unit == '\\' ? 1 + strcspn(unit + 1, "\\] ") : 2;
+    int is_length =
+        n == 2 ? unit > s + 1 && isalpha((unsigned char)unit[0]) && isalpha((unsigned char)unit[1])
+               : strncmp(unit, "\\jot", n) == 0 ||
+                     (n > 6 && (strncmp(unit + n - 4, "skip", 4) == 0 || strncmp(unit + n - 6, "amount", 6) == 0));
+    unit += is_length ? n + strspn(unit + n, " ") : 0;
+    return is_length && *unit == ']' ? unit + 1 : s;
+}
+
+/* Behind the columns of an array, [c]{ll}. */
+static const char *behind_columns(const char *s)
+{
+    int depth = 0;
+    if (*s == '[' && strchr(s, ']') != NULL)
+        s = strchr(s, ']') + 1;
+    if (*s != '{')
+        return s;
+    do {
+        depth += (*s == '{') - (*s == '}');
+        s++;
+    } while (*s != '\0' && depth > 0);
+    return s;
+}
+
 /* \word at s (behind the backslash). */
 static const char *command(const char *s, struct text *out)
 {
@@ -318,8 +357,8 @@ static const char *command(const char *s, struct text *out)
     size_t n = (size_t)(e - s);
     if (n == 0) { /* \, \; \{ \\ ... */
         if (*s == '\\')
-            put_division(out, NEXT_ROW);
-        else if (*s == '{' || *s == '}' || *s == '|' || *s == '%' || *s == '&')
+            return put_division(out, NEXT_ROW), behind_break(s + 1);
+        if (*s == '{' || *s == '}' || *s == '|' || *s == '%' || *s == '&')
             *s == '|' ? puts_(out, "‖") : put(out, s, 1);
         else if (*s == ',' || *s == ';' || *s == ' ' || *s == ':')
             puts_(out, " ");
@@ -330,13 +369,19 @@ static const char *command(const char *s, struct text *out)
     if ((n == 4 && strncmp(s, "frac", 4) == 0) ||
         (n == 5 && (strncmp(s, "tfrac", 5) == 0 || strncmp(s, "dfrac", 5) == 0))) {
         struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
+        size_t sign = differential(a.at), behind = sign > 0 && is_attached(a.at + sign) ? character(a.at + sign) : 0;
+        int is_derivative = sign > 0 && a.at[sign + behind] == '\0' && differential(b.at) == sign && is_simple(b.at);
         put_wrapped(out, a.at);
-        puts_(out, is_one_factor(b.at) ? "/" : "/(");
+        puts_(out, is_derivative || is_one_factor(b.at) ? "/" : "/(");
         puts_(out, b.at);
-        puts_(out, is_one_factor(b.at) ? "" : ")");
+        puts_(out, is_derivative || is_one_factor(b.at) ? "" : ")");
         if (begins_factor(e))
-            puts_(out, " · ");
+            puts_(out, is_derivative ? " " : " · ");
         free(a.at), free(b.at);
+        return e;
+    }
+    if (n == 2 && strncmp(s, "cr", 2) == 0) {
+        put_division(out, NEXT_ROW);
         return e;
     }
     if ((n == 5 && strncmp(s, "binom", 5) == 0)) {
@@ -366,10 +411,19 @@ static const char *command(const char *s, struct text *out)
     if ((n == 5 && strncmp(s, "begin", 5) == 0) || (n == 3 && strncmp(s, "end", 3) == 0)) {
         struct text a = render_group(&e, out->tight);
         char bracket = strcmp(a.at, "cases") == 0 ? '{' : a.at[0] == 'v' ? '|' : a.at[0] == 'b' ? '[' : '(';
+        if (s[0] == 'b' && strcmp(a.at, "array") == 0)
+            e = behind_columns(e);
         put(out, s[0] == 'b' ? (char[]){MATRIX, bracket} : (char[]){MATRIX_END}, s[0] == 'b' ? 2 : 1);
         free(a.at);
         return e;
     }
+    static const char *const hidden[] = {"noalign", "phantom", "hphantom", "vphantom", "hspace", "vspace"};
+    for (size_t k = 0; k < sizeof hidden / sizeof *hidden; k++)
+        if (strlen(hidden[k]) == n && strncmp(hidden[k], s, n) == 0) {
+            struct text a = render_group(&e, out->tight);
+            free(a.at);
+            return e;
+        }
     for (size_t k = 0; k < sizeof faces / sizeof *faces; k++)
         if (strlen(faces[k].word) == n && strncmp(faces[k].word, s, n) == 0) {
             e = group(e, out);
@@ -492,6 +546,8 @@ static const char *formula(const char *s, struct text *out, char stop)
             s++;
         } else if (*s == '\'') {
             puts_(out, "′"), s++;
+        } else if (*s == '$') { /* around a formula in a text */
+            s++;
         } else if (*s == '~') {
             puts_(out, " "), s++;
         } else if (*s == '&') {

@@ -5,6 +5,7 @@
 #include "cli/input.h"
 #include "cli/refuse.h"
 #include "cli/terminal.h"
+#include "exact/expression/bounds.h"
 #include "exact/expression/evaluate.h"
 #include "exact/expression/standard.h"
 #include "exact/words.h"
@@ -154,8 +155,21 @@ void complain_in(struct document *d, const char *path, const char *text, int siz
 static const char *in_words_of_paper(const struct document *d, const cagd_reading_error *e, const char *message)
 {
     static const char begin[] = "; a line '", end[] = "' in a let block makes it a variable";
+    static const char whole[] = "' in a let block makes it a whole number", range[] = "; ':for: ";
     const char *line = strstr(message, begin), *stop = line != NULL ? strstr(line, end) : NULL;
+    const char *behind = line != NULL ? strstr(line, whole) : NULL, *numbers = strstr(message, range);
     char text[MESSAGE];
+    if (chunk_at(d, e->from) != NULL && (behind != NULL || numbers != NULL)) {
+        const char *at = behind != NULL ? line : numbers;
+        snprintf(text, sizeof text, "%.*s; '%% cagd: %s %.*s", (int)(at - message), message,
+                 behind != NULL ? "let" : "for",
+                 (int)((behind != NULL ? behind : message + strlen(message)) - at) -
+                     (int)(behind != NULL ? strlen(begin) : strlen(range)),
+                 at + (behind != NULL ? strlen(begin) : strlen(range)));
+        if (behind != NULL)
+            snprintf(text + strlen(text), sizeof text - strlen(text), "' makes it a whole number");
+        return cagd_text_of(text, (int)strlen(text));
+    }
     if (chunk_at(d, e->from) == NULL || stop == NULL)
         return message;
     int n =
@@ -228,6 +242,17 @@ static int end_of_entry(const struct document *d, int at, int stop)
     return end;
 }
 
+/* Whether a dollar sign stands outside of groups; in \text{if $x > 0$} it belongs to the text. */
+static int has_dollar(const char *text, int length)
+{
+    for (int k = 0, depth = 0; k < length; k++) {
+        depth += (text[k] == '{') - (text[k] == '}');
+        if (text[k] == '$' && depth == 0)
+            return 1;
+    }
+    return 0;
+}
+
 /* Without blanks and dollar signs around. */
 static void strip(const struct document *d, int *from, int *to)
 {
@@ -242,7 +267,7 @@ static void strip(const struct document *d, int *from, int *to)
          (d->text[*from + 1] == '[' && d->text[*to - 1] == ']')))
         *from += 2, *to -= 2; /* \( \) and \[ \] */
     if (*to - *from >= 2 && d->text[*from] == '$' && d->text[*to - 1] == '$' &&
-        memchr(d->text + *from + 1, '$', (size_t)(*to - *from - 2)) == NULL)
+        !has_dollar(d->text + *from + 1, *to - *from - 2))
         ++*from, --*to;
 }
 
@@ -308,11 +333,82 @@ static int is_in_order(const struct document *d, int at, int stop)
     return 1;
 }
 
+/* ---- definitions that wait ------------------------------------------------------------------------------- */
+
+/* Where the name ends that a line defines, without its indices and arguments. */
+static int end_of_name(const struct document *d, int from, int to)
+{
+    while (from < to && strchr("_^('=<>,:", d->text[from]) == NULL)
+        from++;
+    return from;
+}
+
+/* Whether a line that waits defines the same name: of several definitions the first that fits is taken, so that they keep their order. */
+static int is_of_one_that_waits(const struct document *d, int from, int to)
+{
+    int n = end_of_name(d, from, to) - from;
+    for (int k = 0; k < d->waits; k++) {
+        const struct waiting *w = &d->waiting[k];
+        if (end_of_name(d, w->from, w->to) - w->from == n && memcmp(d->text + from, d->text + w->from, (size_t)n) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+static void complain_of_waiting(struct document *d)
+{
+    for (int k = 0; k < d->waits; k++) {
+        struct waiting *w = &d->waiting[k];
+        if (cagd_read_definition(&d->scope, d->text, w->from, w->to, &w->error))
+            continue; /* it had waited for an earlier one of its name */
+        if (w->left_out != NULL)
+            leave_out(d, w->left_out, w->from, &w->error);
+        else
+            complain_of_reading(d, &w->error);
+    }
+    d->waits = 0;
+}
+
+/* Those that can be read by now. */
+static void read_waiting(struct document *d)
+{
+    for (int k = 0; k < d->waits; k++) {
+        struct waiting w = d->waiting[k];
+        cagd_reading_error error;
+        int others = d->waits;
+        d->waits = k; /* those before it */
+        int stays =
+            is_of_one_that_waits(d, w.from, w.to) || !cagd_read_definition(&d->scope, d->text, w.from, w.to, &error);
+        d->waits = others;
+        if (stays)
+            continue;
+        memmove(d->waiting + k, d->waiting + k + 1, (size_t)(--d->waits - k) * sizeof *d->waiting);
+        k = -1; /* one may wait for another one */
+    }
+}
+
+/* The definition; where a name in it is not defined it waits. */
+static void read_or_wait(struct document *d, int from, int to, const char *left_out)
+{
+    cagd_reading_error error = {0};
+    if (!is_of_one_that_waits(d, from, to) && cagd_read_definition(&d->scope, d->text, from, to, &error)) {
+        read_waiting(d);
+        return;
+    }
+    if (error.message[0] != '\0' && strstr(error.message, " is not defined") == NULL)
+        complain_of_waiting(d); /* in their order */
+    if ((error.message[0] == '\0' || strstr(error.message, " is not defined") != NULL) && d->waits < MOST_WAITING)
+        d->waiting[d->waits++] = (struct waiting){from, to, left_out, {0}};
+    else if (left_out != NULL)
+        leave_out(d, left_out, from, &error);
+    else
+        complain_of_reading(d, &error);
+}
+
 /* In papers the bounds of a parameter stand behind the formulas: where a line has a name that a line behind it declares, such lines are read
  * first. */
 static void read_let(struct document *d, int at, int stop)
 {
-    cagd_reading_error error;
     int first = !is_in_order(d, at, stop), begin = at;
     for (int end; first && next_entry(d, &at, stop, &end); at = behind(d, end)) {
         int from = at, to = end;
@@ -325,24 +421,22 @@ static void read_let(struct document *d, int at, int stop)
         strip(d, &from, &to);
         if (field(d, at, end, "use", &a, &b)) {
             read_use(d, a, b);
+            read_waiting(d);
             continue;
         }
         if (field(d, at, end, "from", &a, &b) && !put_from_paper(d, a, b, &from, &to))
             continue;
-        if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
-            complain_of_reading(d, &error);
+        read_or_wait(d, from, to, NULL);
     }
 }
 
 /* A formula that defines what it has on its left side, though nobody said that it is to be read. */
 static void read_defined(struct document *d, int head, int at, int stop)
 {
-    cagd_reading_error error;
     int from = at, to = end_of_entry(d, at, stop), name = head + (int)strlen(":::{defined}"),
         name_end = end_of_line(d, head);
     strip(d, &name, &name_end);
-    if (!cagd_read_definition(&d->scope, d->text, from, to, &error))
-        leave_out(d, cagd_text_of(d->text + name, name_end - name), from, &error);
+    read_or_wait(d, from, to, cagd_text_of(d->text + name, name_end - name));
 }
 
 static void read_expected(struct document *d, struct formula *f, int from, int to)
@@ -379,6 +473,16 @@ static const char *parameter_named(struct document *d, const cagd_scope *scope, 
     if (t->kind != CAGD_NAME || t->count > 0 || (v != NULL && v->whole) || cagd_defined(scope, t->head) != NULL)
         complain(d, from, to, "expected the name of a variable, without indices");
     return t->head;
+}
+
+/* A name of which all values are asked for is no whole number, where it is an index, either. */
+static void be_real(cagd_scope *scope, const char *head)
+{
+    const cagd_variable *v = cagd_declared(scope, head);
+    cagd_variable real = v != NULL ? *v : (cagd_variable){0};
+    real.real = 1;
+    if (v != NULL && !v->whole)
+        cagd_declare(scope, real);
 }
 
 /* ---- what the ledger has as printed -------------------------------------------------------------------- */
@@ -457,53 +561,279 @@ static int is_list(const char *text, int from, int to)
     return 0;
 }
 
-/* Where ranges can begin at `at`, outside of brackets: behind a comma, at words, in brackets behind a wide space; their end goes to *to.  -1
- * where they cannot. */
+/* The byte behind blanks and what is written for one. */
+static int behind_spaces(const char *text, int at, int to)
+{
+    static const char *const spaces[] = {" ", "\n", "\\ ", "\\,", "\\;", "\\:", "\\!", "~", "\\quad", "\\qquad"};
+    for (int more = 1; more;) {
+        more = 0;
+        for (size_t k = 0; k < sizeof spaces / sizeof *spaces; k++) {
+            int n = (int)strlen(spaces[k]);
+            if (to - at >= n && strncmp(text + at, spaces[k], (size_t)n) == 0 &&
+                !(n > 2 && at + n < to && isalpha((unsigned char)text[at + n])))
+                at += n, more = 1;
+        }
+    }
+    return at;
+}
+
+/* Whether a letter, "=" and a list of numbers stand there: i = 0, 1, 2. */
+static int is_list_of_letter(const char *text, int from, int to)
+{
+    int at = behind_spaces(text, from, to), letter = at;
+    at += at < to && text[at] == '\\';
+    while (at < to && isalpha((unsigned char)text[at]))
+        at++;
+    if (at == letter || (text[letter] != '\\' && at > letter + 1))
+        return 0;
+    at = behind_spaces(text, at, to);
+    return at < to && text[at] == '=' && is_list(text, at, to);
+}
+
+/* The bracket that begins at `at` ends at the end. */
+static int is_last_bracket(const char *text, int at, int to)
+{
+    int depth = 0;
+    for (; at < to; at++) {
+        depth += (text[at] == '(') - (text[at] == ')');
+        if (depth == 0)
+            break;
+    }
+    return at == to - 1;
+}
+
+/* Where ranges can begin at `at`, outside of brackets: behind a comma, at words, behind a wide space before a list, in brackets behind a wide space or with a
+ * list in them; their end goes to *to.  -1 where they cannot. */
 static int ranges_at(const char *text, int from, int at, int *to)
 {
-    static const char *const words[] = {"\\text{", "\\mbox{", "\\textrm{", "\\forall"};
+    static const char *const words[] = {"\\text{", "\\mbox{", "\\hbox{", "\\textrm{", "\\textnormal{", "\\forall"};
     if (text[at] == ',')
         return at + 1;
     for (size_t k = 0; k < sizeof words / sizeof *words && at > from; k++)
         if (strncmp(text + at, words[k], strlen(words[k])) == 0)
             return at;
+    if (at > from && (strncmp(text + at, "\\quad", 5) == 0 || strncmp(text + at, "\\qquad", 6) == 0) &&
+        is_list_of_letter(text, at, *to))
+        return behind_spaces(text, at, *to);
     int k = at;
     while (k > from && text[k - 1] == ' ')
         k--;
-    if (text[at] != '(' || text[*to - 1] != ')' || k - from < 5 || strncmp(text + k - 4, "quad", 4) != 0)
+    if (text[at] != '(' || text[*to - 1] != ')' || at == from)
+        return -1;
+    if (!(k - from >= 5 && strncmp(text + k - 4, "quad", 4) == 0) &&
+        !(is_list_of_letter(text, at + 1, *to - 1) && is_last_bracket(text, at, *to)))
         return -1;
     --*to;
     return at + 1;
 }
 
+/* A formula and what stands behind it. */
+struct behind {
+    const struct document *d;
+    const cagd_scope *scope, *known; /* before what stands behind it was read, and with that */
+    int from, at, begin,
+        stop; /* the formula, from `from` to `at`, and what stands behind it, from `begin` to `stop`, in the text */
+};
+
+/* Whether words say, from where it begins up to that byte, that what follows is supposed. */
+static int is_supposed_by_words(const struct behind *b, int upto)
+{
+    static const char *const words[] = {"if", "when", "whenever", "for", "where", "with", "provided", "as long as"};
+    for (int at = b->begin; at < upto; at++) {
+        const char *open = b->d->text[at] == '{' && at > b->from ? b->d->text + at + 1 : NULL;
+        while (open != NULL && (*open == ' ' || *open == ','))
+            open++;
+        for (size_t k = 0; open != NULL && k < sizeof words / sizeof *words; k++)
+            if (strncmp(open, words[k], strlen(words[k])) == 0 && !isalpha((unsigned char)open[strlen(words[k])]))
+                return 1;
+    }
+    return 0;
+}
+
+/* Relations of names without meaning, and no equality. */
+static int is_order_of_names(const cagd_scope *scope, const cagd_tree *t)
+{
+    int is = t->kind == CAGD_RELATION && cagd_is_of_plain_names(scope, t);
+    for (int k = 0; is && k + 1 < t->count; k++)
+        is = t->relation[k] != CAGD_EQUAL;
+    return is;
+}
+
+/* What stands there and can be said as well as supposed: no bounds of variables, no values, no knots in their order; NULL where there is none. */
+static const cagd_tree *unclear_condition(const struct behind *b)
+{
+    for (int k = b->scope->condition_count; k < b->known->condition_count; k++) {
+        const cagd_tree *t = b->known->conditions[k];
+        int every = t->kind == CAGD_EVERY_INDEX || t->kind == CAGD_FOR_ALL,
+            is = every ? is_order_of_names(b->scope, t->at[t->count - 1]) : cagd_is_range_of_name(b->scope, t, NULL);
+        if (!is && !is_supposed_by_words(b, t->from))
+            return t;
+    }
+    for (const cagd_definition *d = b->known->definitions; d != NULL; d = d->next) {
+        int is_new = d->left->from >= b->begin && d->left->to <= b->stop;
+        if (is_new && d->body != NULL && d->left->arguments == 0 && cagd_declared(b->scope, d->left->head) != NULL &&
+            !cagd_is_constant(b->known, d->body) && !is_supposed_by_words(b, d->left->from))
+            return d->left;
+    }
+    return NULL;
+}
+
+/* A whole number with an end whose range stands there. */
+static int is_range_there(const struct behind *b, const cagd_variable *v)
+{
+    return v->whole && v->high != NULL && cagd_declared(b->scope, v->head) == NULL &&
+           cagd_declared(b->known, v->head) == v;
+}
+
+/* Whether anything there, besides the ranges, has that letter as an index. */
+static int is_letter_of_conditions(const struct behind *b, const char *letter)
+{
+    int is = 0;
+    for (int k = b->scope->condition_count; k < b->known->condition_count && !is; k++)
+        is = cagd_tree_has(b->known->conditions[k], letter);
+    for (const cagd_definition *d = b->known->definitions; d != NULL && !is; d = d->next)
+        is = d->left->from >= b->begin && d->left->to <= b->stop && cagd_tree_has(d->left, letter);
+    for (const cagd_variable *v = b->known->variables; v != NULL && v != b->scope->variables && !is; v = v->next)
+        is = !v->whole &&
+             ((v->left != NULL && cagd_tree_has(v->left, letter)) ||
+              (v->low != NULL && cagd_tree_has(v->low, letter)) || (v->high != NULL && cagd_tree_has(v->high, letter)));
+    return is;
+}
+
+/* The scope before, with the ranges that stand there and are not those of `letter`, and with the values. */
+static cagd_scope without_range_of(const struct behind *b, const char *const letter[], int letters)
+{
+    enum { MOST = 32 };
+    const cagd_variable *list[MOST];
+    int count = 0;
+    cagd_scope scope = *b->scope;
+    scope.definitions = b->known->definitions;
+    for (const cagd_variable *v = b->known->variables; v != NULL && v != b->scope->variables && count < MOST;
+         v = v->next) {
+        int is_left_out = !v->whole;
+        for (int k = 0; k < letters; k++)
+            is_left_out |= strcmp(v->head, letter[k]) == 0;
+        if (!is_left_out)
+            list[count++] = v;
+    }
+    while (count > 0)
+        cagd_declare(&scope, *list[--count]);
+    return scope;
+}
+
+/* The formula t before ranges and what is supposed: what of it is about letters that stand there alone is supposed for all of them.  NULL where the letters of the
+ * formula stand in what is supposed by "if", which is to be read with them. */
+static const cagd_tree *with_what_is_supposed(const struct behind *b, const cagd_tree *t, cagd_scope *scope)
+{
+    static const char *const ifs[] = {"{if",       "{ if",       "{when",     "{ when",
+                                      "{provided", "{ provided", "{whenever", "{ whenever"};
+    const char *own[CAGD_MOST_INDICES];
+    int count = 0, by_if = 0;
+    for (size_t k = 0; k < sizeof ifs / sizeof *ifs; k++)
+        for (int at = b->begin; at < b->stop && at < b->begin + 10; at++)
+            by_if |= strncmp(b->d->text + at, ifs[k], strlen(ifs[k])) == 0;
+    *scope = *b->known;
+    for (const cagd_variable *v = b->known->variables; v != NULL && v != b->scope->variables; v = v->next) {
+        cagd_reading_error unused;
+        if (!is_range_there(b, v) || !is_letter_of_conditions(b, v->head))
+            continue;
+        cagd_scope other = without_range_of(b, &v->head, 1);
+        if (cagd_read_statement(&other, b->d->text, b->from, b->at, &unused) == NULL) {
+            if (by_if)
+                return NULL;
+            continue;
+        }
+        if (count < CAGD_MOST_INDICES)
+            own[count++] = v->head;
+    }
+    if (count == 0)
+        return t;
+    cagd_reading_error unused = {0};
+    cagd_scope other = without_range_of(b, own, count);
+    other.definitions = b->scope->definitions;
+    const cagd_tree *said = cagd_read_statement(&other, b->d->text, b->from, b->at, &unused),
+                    *supposed = cagd_read_supposed(&other, b->d->text, b->begin, b->stop, &unused);
+    cagd_tree *both = cagd_tree_new(CAGD_IMPLIES, b->from, b->stop, 2);
+    if (said == NULL || supposed == NULL || both == NULL || said->kind == CAGD_IMPLIES)
+        return t;
+    both->at[0] = supposed, both->at[1] = said;
+    *scope = other;
+    return both;
+}
+
+/* A formula with its ranges and a second one behind them, b_i(0) = 0, i = 1, 2, b_i(1) = 1, i = 0, 1: it is asked what is meant, if so many tries find it. */
+static void ask_for_second(const struct document *d, const cagd_scope *scope, int from, int at, int begin, int stop,
+                           int *tries, cagd_reading_error *asked)
+{
+    int depth = 0;
+    for (int k = begin; k < stop; k++) {
+        cagd_scope known = *scope;
+        cagd_reading_error unused;
+        int to = stop, next = depth == 0 ? ranges_at(d->text, begin, k, &to) : -1;
+        if (next < 0 && depth == 0 && k > begin && strncmp(d->text + k, "\\quad", 5) == 0)
+            next = k;
+        if (next < 0 && depth == 0 && k > begin && strncmp(d->text + k, "\\qquad", 6) == 0)
+            next = k;
+        depth += (strchr("({[", d->text[k]) != NULL) - (strchr(")}]", d->text[k]) != NULL);
+        if (next < 0 || !is_list_of_letter(d->text, begin, k) || --*tries < 0 ||
+            !cagd_read_ranges(&known, d->text, begin, k, &unused) ||
+            cagd_read_statement(&known, d->text, from, at, &unused) == NULL)
+            continue;
+        next = behind_spaces(d->text, next, stop);
+        if (d->text[next] == ',' || isdigit((unsigned char)d->text[next]) ||
+            strncmp(d->text + next, "\\text", 5) == 0 || cagd_read_ranges(&known, d->text, next, stop, &unused))
+            continue;
+        cagd_refuse_reading(asked, next, stop, "%s", CAGD_SAID_OR_SUPPOSED);
+        return;
+    }
+}
+
 /* A formula with ranges behind it, as papers print it, "b_i \ge 0, \quad i = 0, 1, \dots, n": they become known in the scope.  What is
- * before them needs them, or they are no relation.  NULL where it cannot be read so; with such a list of numbers *error is what is wrong before it. */
+ * before them needs them, or they are no relation.  NULL where it cannot be read so; with such a list of numbers *error is what is wrong before it, or behind it. */
 static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope *scope, int from, int to,
                                            cagd_reading_error *error)
 {
-    int depth = 0;
+    enum { MOST_TRIES = 60, MOST_PLACES = 40 };
+    int depth = 0, tries = MOST_TRIES, places = 0;
+    cagd_reading_error asked = {0};
     while (to > from && strchr(" \n.,;", d->text[to - 1]) != NULL)
         to--;
     for (int at = from; at < to; at++) {
         cagd_reading_error unused;
-        cagd_scope known = *scope;
+        cagd_scope known = *scope, other;
         int stop = to, begin = depth == 0 ? ranges_at(d->text, from, at, &stop) : -1;
         depth += (strchr("({[", d->text[at]) != NULL) - (strchr(")}]", d->text[at]) != NULL);
         if (begin < 0 || begin >= stop)
             continue;
+        if (++places > MOST_PLACES) /* no formula has so many */
+            break;
         if (!is_list(d->text, begin, stop) && cagd_read_statement(scope, d->text, from, at, &unused) != NULL)
             continue;
-        if (!cagd_read_ranges(&known, d->text, begin, stop, &unused))
+        if (!cagd_read_ranges(&known, d->text, begin, stop, &unused)) {
+            if (unused.of_list && asked.message[0] == '\0')
+                asked = unused;
+            if (asked.message[0] == '\0')
+                ask_for_second(d, scope, from, at, begin, stop, &tries, &asked);
             continue;
+        }
         cagd_reading_error before = {0};
         const cagd_tree *t = cagd_read_statement(&known, d->text, from, at, &before);
-        if (t != NULL) {
-            *scope = known;
+        struct behind b = {d, scope, &known, from, at, begin, stop};
+        const cagd_tree *unclear = t != NULL ? unclear_condition(&b) : NULL;
+        if (unclear != NULL) {
+            if (asked.message[0] == '\0')
+                cagd_refuse_reading(&asked, unclear->from, unclear->to, "%s", CAGD_SAID_OR_SUPPOSED);
+            continue;
+        }
+        if (t != NULL && (t = with_what_is_supposed(&b, t, &other)) != NULL) {
+            *scope = other;
             return t;
         }
-        if (is_list(d->text, begin, stop))
+        if (is_list(d->text, begin, stop) && before.message[0] != '\0')
             *error = before;
     }
+    if (asked.message[0] != '\0')
+        *error = asked;
     return NULL;
 }
 
@@ -584,6 +914,8 @@ static void read_statement(struct document *d, const char *kind, int head, int a
         complain_of_reading(d, &error);
     if (find_end > find)
         f->find = parameter_named(d, &f->scope, find, find_end);
+    if (f->find != NULL)
+        be_real(&f->scope, f->find);
     if (d->complaints > complaints)
         return;
     f->at = printed;
@@ -596,12 +928,21 @@ static void read_statement(struct document *d, const char *kind, int head, int a
     f->tree = cagd_read_statement(&f->scope, d->text, printed, printed_end, &error);
     if (f->tree == NULL)
         f->tree = with_ranges_behind(d, &f->scope, printed, printed_end, &error);
-    if (f->tree == NULL && is_tried)
+    if (f->tree != NULL)
+        error = (cagd_reading_error){0};
+    if (f->tree != NULL && cagd_make_indices_whole(&f->scope, f->tree, &error))
+        d->count++;
+    else if (is_tried)
         leave_out(d, f->name, printed, &error);
-    else if (f->tree == NULL)
-        complain_of_reading(d, &error);
     else
-        d->count += cagd_make_indices_whole(&f->scope, f->tree);
+        complain_of_reading(d, &error);
+    const cagd_variable *of;
+    const cagd_tree *unknown = f->tree != NULL ? cagd_unknown_in_bounds(&f->scope, f->tree, &of) : NULL;
+    if (unknown != NULL)
+        complain(d, printed, printed_end,
+                 "the bounds of %s have %s, which has no value here: expected, for instance, :for: %s = 1..4",
+                 of->left != NULL ? cagd_text_of(d->text + of->left->from, of->left->to - of->left->from) : of->head,
+                 unknown->head, unknown->head);
 }
 
 /* The value of a number, or of an end of a range. */
@@ -663,7 +1004,8 @@ static void read_functions(struct document *d, struct sheet *s, int from, int to
     s->index_from = index->from - from, s->index_to = index->to - from;
     s->argument_from = argument->from - from, s->argument_to = argument->to - from;
     s->functions = cagd_text_of(d->text + from, to - from);
-    if (v == NULL || !v->whole || !whole_of(&s->scope, v->low, &s->first) || !whole_of(&s->scope, v->high, &s->last))
+    if (v == NULL || !v->whole || v->step > 1 || v->listed != NULL || !whole_of(&s->scope, v->low, &s->first) ||
+        !whole_of(&s->scope, v->high, &s->last))
         complain(d, from, to, "the range of the index is not known: expected, for instance, :for: %s = 0..3", s->index);
     else if (s->last <= s->first || s->last - s->first >= CAGD_MOST_FUNCTIONS)
         complain(d, from, to, "expected 2 to %d functions", CAGD_MOST_FUNCTIONS);
@@ -745,6 +1087,8 @@ static void read_blocks(struct document *d)
             complain(d, at, end_of_line(d, at), "the block does not end: expected a line ':::'");
             return;
         }
+        if (!begins(d, at, ":::{let}") && !begins(d, at, ":::{defined}") && !begins(d, at, ":::{equation}"))
+            complain_of_waiting(d);
         if (begins(d, at, ":::{let}"))
             read_let(d, inside, stop);
         else if (begins(d, at, ":::{statement}"))
@@ -761,6 +1105,7 @@ static void read_blocks(struct document *d)
             complain(d, at, end_of_line(d, at), "expected :::{let}, :::{statement} NAME or :::{basis} NAME");
         at = stop;
     }
+    complain_of_waiting(d);
 }
 
 /* ---- the file ------------------------------------------------------------------------------------------ */

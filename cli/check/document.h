@@ -86,6 +86,14 @@ struct sheet {
  *     :before: f =                         what is put before it
  *     ::: */
 
+/* A definition with a name in it that is not known yet: it waits for one behind it, up to the next statement. */
+enum { MOST_WAITING = 40 };
+struct waiting {
+    int from, to;
+    const char *left_out;     /* NULL, or the name under which it is left out: nobody said that it is to be read */
+    cagd_reading_error error; /* where it is given up */
+};
+
 struct document {
     const struct cagd_register *reg; /* NULL: no ledger */
     const char *path, *text;
@@ -98,6 +106,8 @@ struct document {
     const struct paper *papers; /* the LaTeX sources that were read */
     struct left_out *left_out;
     int left_outs;
+    struct waiting waiting[MOST_WAITING];
+    int waits;
     cagd_scope scope;
     struct formula *formula;
     struct sheet *sheet;

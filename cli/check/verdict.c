@@ -4,6 +4,7 @@
 #include "cli/layout.h"
 #include "cli/terminal.h"
 #include "cli/tex.h"
+#include "exact/expression/bounds.h"
 #include "exact/expression/depends.h"
 #include "exact/words.h"
 
@@ -89,6 +90,14 @@ static const char *source(const struct document *d, const cagd_tree *t)
     return text != NULL ? text : "";
 }
 
+/* A list as it is printed, from its first number to its last one, and the other way round where it goes down. */
+static const char *as_printed(const struct document *d, const cagd_tree *a, const cagd_tree *b)
+{
+    int from = a->from < b->from ? a->from : b->from, to = a->to > b->to ? a->to : b->to;
+    const char *text = cagd_text_of(d->text + from, to - from);
+    return text != NULL ? text : "";
+}
+
 /* The letters of a name without its numbers: "\omega" of "\omega_3", "\mathbf{P}" of the component "(\mathbf{P}_0)_x". */
 static int is_of(const char *key, const char *head)
 {
@@ -131,6 +140,19 @@ static int is_part_of(const cagd_tree *t, const cagd_tree *before)
     return before != NULL && before->from <= t->from && t->to == before->to;
 }
 
+/* Whether the finding has names that are called as the variable, and of which its bounds are not. */
+static int has_others(const cagd_finding *f, const cagd_variable *v)
+{
+    int has = 0;
+    for (int k = 0; v->some && k < f->names && !has; k++)
+        if (is_of(f->name[k], v->head)) {
+            const char *index = f->name[k] + strlen(v->head);
+            long value = strtol(index + (*index == '{'), NULL, 10);
+            has = value < v->first || value > v->last;
+        }
+    return has;
+}
+
 const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     const cagd_variable *whole[16];
@@ -140,6 +162,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         const cagd_variable *v = whole[k];
         if (v->high == NULL)
             text = append(text, "%severy $%s %s %s$", comma, v->head, v->low_open ? ">" : "\\ge", source(d, v->low));
+        else if (v->step > 1 || v->listed != NULL)
+            text = append(text, "%s$%s = %s$", comma, v->head, as_printed(d, v->low, v->high));
         else if (v->low_open || v->high_open)
             text = append(text, "%swhole $%s %s %s %s %s$", comma, source(d, v->low), v->low_open ? "<" : "\\le",
                           v->head, v->high_open ? "<" : "\\le", source(d, v->high));
@@ -176,6 +200,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
                           : v->high_open  ? " < "
                                           : " \\le ",
                           source(d, v->high));
+        if (bounded && has_others(f, v))
+            text = append(text, " for $%s = %ld$ to $%ld$", letter, v->first, v->last);
         comma = ", ";
     }
     for (int k = 0; k < f->names; k++) {
@@ -200,6 +226,14 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
          k++, last = one) {
         one = f->supposed->kind == CAGD_ALL ? f->supposed->at[k] : f->supposed;
         if (is_part_of(one, last))
+            continue;
+        text = append(text, "%s$%s$", comma, source(d, one));
+        comma = ", ";
+    }
+    const cagd_tree *premise = s->tree->kind == CAGD_IMPLIES ? s->tree->at[0] : NULL;
+    for (int k = 0; premise != NULL && k < (premise->kind == CAGD_ALL ? premise->count : 1); k++) {
+        one = premise->kind == CAGD_ALL ? premise->at[k] : premise;
+        if (!cagd_is_range_of_name(&s->scope, one, NULL) || is_part_of(one, k > 0 ? premise->at[k - 1] : NULL))
             continue;
         text = append(text, "%s$%s$", comma, source(d, one));
         comma = ", ";
@@ -396,6 +430,12 @@ static const cagd_variable *unused_range(const struct document *d, const struct 
             is_used |= used[k] == v;
         for (const cagd_variable *other = d->scope.variables; other != NULL; other = other->next)
             is_used |= other == v;
+        for (int k = d->scope.condition_count; k < s->scope.condition_count; k++)
+            is_used |=
+                s->scope.conditions[k]->kind == CAGD_FOR_ALL && strcmp(s->scope.conditions[k]->head, v->head) == 0;
+        for (const cagd_definition *a = s->scope.definitions; a != NULL; a = a->next)
+            is_used |= a->when != NULL && cagd_tree_has(a->when, v->head) &&
+                       cagd_depends_on(&s->scope, s->tree, a->left->head);
         if (!is_used)
             return v;
     }
@@ -691,9 +731,9 @@ json_t *found_json(const struct formula *s, const cagd_found *f)
         free(digits);
     }
     char *values = tex_to_text(f->known ? values_of(s, f) : "", 1);
-    json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:o, s:I, s:o}", "name", s->name, "line", s->line, "printed_tex",
-                          s->printed, "verdict", f->known ? "found" : "undecided", "find", s->find, "values", values, "roots", roots,
-                          "cases", (json_int_t)f->cases, "fails_for", fails);
+    json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:o, s:I, s:o}", "name", s->name, "line", s->line,
+                          "printed_tex", s->printed, "verdict", f->known ? "found" : "undecided", "find", s->find,
+                          "values", values, "roots", roots, "cases", (json_int_t)f->cases, "fails_for", fails);
     free(values);
     if (!f->known)
         json_object_set_new(j, "reason", json_string(f->why));

@@ -135,7 +135,7 @@ const cagd_tree *cagd_code_formula_read(struct cagd_code_formulas *f, const char
         return NULL;
     }
     for (const cagd_variable *v = f->scope.variables; v != before; v = v->next)
-        if (!v->whole || v->high == NULL) {
+        if (!v->whole || v->high == NULL || v->step > 1 || v->listed != NULL) {
             refuse(f, "\"%s\": a range such as j = 0..2 was expected; those of other numbers stand in :input:", ranges);
             return NULL;
         }

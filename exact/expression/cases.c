@@ -58,6 +58,37 @@ int cagd_give_case(cagd_run *r)
 
 static int is_enough(const cagd_finding *f) { return f->has_example || f->cases >= QUICK_CASES; }
 
+/* The cases of one value of the whole number of that level; 0 where no more are wanted. */
+static int decide_number(cagd_run *r, int level, long m)
+{
+    region_mark mark = region_open();
+    int kept = r->out->has_example, why = r->out->why != NULL, names = r->out->names;
+    r->chosen[level] = (cagd_given){r->whole[level]->head, from_int_q(m), NULL};
+    cagd_decide_cases(r, level + 1);
+    /* What was found lives on; a case that found nothing new leaves nothing behind. */
+    if (r->into == NULL && r->out->has_example == kept && (r->out->why != NULL) == why && r->out->names == names)
+        region_drop(mark);
+    return !(r->out->out_of_time || (region_faults & (FAULT_CROWDED | FAULT_MEMORY)) ||
+             (r->quick && is_enough(r->out)));
+}
+
+/* Each number of a list once. */
+static void decide_listed(cagd_run *r, int level, const cagd_variable *v)
+{
+    long value[CAGD_MOST_CHILDREN];
+    for (int k = 0; k < v->listed_count; k++) {
+        int is_new = end_of_range(r, level, v->listed[k], &value[k]);
+        if (!is_new) {
+            r->out->undecided++;
+            return;
+        }
+        for (int m = 0; m < k; m++)
+            is_new &= value[m] != value[k];
+        if (is_new && !decide_number(r, level, value[k]))
+            return;
+    }
+}
+
 void cagd_decide_cases(cagd_run *r, int level)
 {
     if (r->out->out_of_time || (region_faults & (FAULT_CROWDED | FAULT_MEMORY)))
@@ -85,19 +116,20 @@ void cagd_decide_cases(cagd_run *r, int level)
         r->out->undecided++;
         return;
     }
+    if (v->listed != NULL) {
+        decide_listed(r, level, v);
+        return;
+    }
     low += v->low_open + (v->high == NULL ? r->skipped : 0);
     high = v->high != NULL ? high - v->high_open : low + r->taken - 1;
-    for (long m = low; m <= high; m++) {
-        region_mark mark = region_open();
-        int kept = r->out->has_example, why = r->out->why != NULL, names = r->out->names;
-        r->chosen[level] = (cagd_given){v->head, from_int_q(m), NULL};
-        cagd_decide_cases(r, level + 1);
-        /* What was found lives on; a case that found nothing new leaves nothing behind. */
-        if (r->into == NULL && r->out->has_example == kept && (r->out->why != NULL) == why && r->out->names == names)
-            region_drop(mark);
-        if (r->out->out_of_time || (region_faults & (FAULT_CROWDED | FAULT_MEMORY)) || (r->quick && is_enough(r->out)))
-            break;
+    long step = v->step > 1 ? v->step : 1;
+    if (low <= high && (high - low) % step != 0) {
+        cagd_note_undecided(r, &(cagd_context){0}, "a range whose last number is none of those that its step reaches");
+        r->out->undecided++;
+        return;
     }
+    for (long m = low; m <= high && decide_number(r, level, m); m += step)
+        ;
 }
 
 int cagd_has_no_end(const cagd_run *r)

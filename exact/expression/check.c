@@ -1,6 +1,7 @@
 #include "exact/expression/check.h"
 
 #include "core/clock.h"
+#include "exact/expression/bounds.h"
 #include "exact/expression/cases.h"
 #include "exact/expression/change.h"
 #include "exact/expression/clauses.h"
@@ -9,6 +10,8 @@
 #include "exact/expression/vacuous.h"
 #include "exact/number/recorder.h"
 #include "exact/words.h"
+
+#include <string.h>
 
 enum { FURTHER_CASES = 248, MOST_CHANGES = 60 };
 
@@ -211,18 +214,6 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
 
 /* ---- conditions behind a formula -------------------------------------------------------------------------- */
 
-/* Names without meaning and numbers alone: a condition, if it is no statement. */
-static int is_of_plain_names(const cagd_scope *scope, const cagd_tree *t, int *names)
-{
-    int plain = t->kind == CAGD_NUMBER || t->kind == CAGD_SUM || t->kind == CAGD_PRODUCT || t->kind == CAGD_NEGATIVE ||
-                t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_RELATION;
-    if (t->kind == CAGD_NAME)
-        return ++*names, t->order == 0 && (cagd_defined(scope, t->head) == NULL || cagd_has_value(scope, t->head));
-    for (int k = 0; k < t->count && plain; k++)
-        plain = is_of_plain_names(scope, t->at[k], names);
-    return plain;
-}
-
 /* x = ..., x meaning nothing else. */
 static int tells_a_name(const cagd_scope *scope, const cagd_tree *t)
 {
@@ -230,69 +221,133 @@ static int tells_a_name(const cagd_scope *scope, const cagd_tree *t)
            t->at[0]->count == 0 && cagd_defined(scope, t->at[0]->head) == NULL;
 }
 
-/* 0 <= t <= 1: numbers on both sides of a name.  Nobody says of a name that it has such bounds: it is a range. */
-static int is_range_of_name(const cagd_tree *t)
+/* Whether the letter is an index of names of the tree. */
+static int is_index_in(const cagd_tree *t, const char *letter, int in_index)
 {
-    int less = 0, greater = 0,
-        is = t->kind == CAGD_RELATION && t->count == 3 && t->at[1]->kind == CAGD_NAME && t->at[1]->count == 0;
-    for (int k = 0; is && k < 2; k++) {
-        const cagd_tree *end = t->at[2 * k]->kind == CAGD_NEGATIVE ? t->at[2 * k]->at[0] : t->at[2 * k];
-        is = end->kind == CAGD_NUMBER;
-        less += t->relation[k] == CAGD_LESS || t->relation[k] == CAGD_LESS_OR_EQUAL;
-        greater += t->relation[k] == CAGD_GREATER || t->relation[k] == CAGD_GREATER_OR_EQUAL;
+    int is = in_index && t->kind == CAGD_NAME && t->count == 0 && strcmp(t->head, letter) == 0;
+    for (int k = 0; k < t->count && !is; k++)
+        is = is_index_in(t->at[k], letter, in_index || (t->kind == CAGD_NAME && k < t->lower + t->upper));
+    return is;
+}
+
+/* Whether it runs between ends, and is no last index, as n is. */
+static int is_running(const cagd_scope *scope, const cagd_variable *v)
+{
+    int is = v->whole && v->high != NULL && !v->low_open && !v->high_open && cagd_declared(scope, v->head) == v &&
+             cagd_defined(scope, v->head) == NULL && strchr("nmNM", v->head[0]) == NULL;
+    for (const cagd_variable *w = scope->variables; w != NULL && is; w = w->next)
+        is = (w->low == NULL || !cagd_tree_has(w->low, v->head)) &&
+             (w->high == NULL || !cagd_tree_has(w->high, v->head));
+    return is;
+}
+
+/* t, which is supposed, for all values of the running letters that are indices in it and, where `said` is no NULL, do not stand in that. */
+static const cagd_tree *for_every_letter(const cagd_scope *scope, const cagd_tree *t, const cagd_tree *said)
+{
+    for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
+        if (!is_running(scope, v) || !is_index_in(t, v->head, 0) ||
+            (said != NULL && cagd_depends_on(scope, said, v->head)))
+            continue;
+        cagd_tree *all = cagd_tree_new(CAGD_FOR_ALL, t->from, t->to, 3);
+        if (all == NULL)
+            return t;
+        all->head = v->head, all->at[0] = v->low, all->at[1] = v->high, all->at[2] = t;
+        t = all;
     }
-    return is && (less == 2 || greater == 2);
+    return t;
 }
 
-static int are_ranges(const cagd_tree *supposed)
-{
-    int are = supposed->kind == CAGD_ALL || is_range_of_name(supposed);
-    for (int k = 0; supposed->kind == CAGD_ALL && k < supposed->count; k++)
-        are &= is_range_of_name(supposed->at[k]);
-    return are;
-}
+/* What stands behind a formula and can be meant as supposed. */
+struct parts {
+    const cagd_tree *where, *supposed,
+        *statement; /* the first that is no range, or else the first; all of them; what the statement is then */
+    int are_ranges;
+};
 
-/* "A, \quad u + v = 1" with the parts of plain names behind the first supposed; NULL where there are none. */
-static const cagd_tree *with_parts_supposed(const cagd_scope *scope, const cagd_tree *t, const cagd_tree **first)
+/* The statement, "A, \quad u + v = 1", or "A, \quad u + v = 1, \quad x \in [0,1]", with the parts of plain names supposed; 0 where there are none. */
+static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct parts *out)
 {
+    const cagd_tree *premise = NULL;
+    if (t->kind == CAGD_IMPLIES && t->at[1]->from < t->at[0]->from)
+        premise = t->at[0], t = t->at[1];
     cagd_tree *said = cagd_tree_new(CAGD_ALL, t->from, t->to, t->count),
               *supposed = cagd_tree_new(CAGD_ALL, t->from, t->to, t->count),
-              *both = cagd_tree_new(CAGD_IMPLIES, t->from, t->to, 2);
-    if (t->kind != CAGD_ALL || said == NULL || supposed == NULL || both == NULL)
-        return NULL;
+              *both = cagd_tree_new(CAGD_ALL, t->from, t->to, 2),
+              *implication = cagd_tree_new(CAGD_IMPLIES, t->from, t->to, 2);
+    if (t->kind != CAGD_ALL || said == NULL || supposed == NULL || both == NULL || implication == NULL)
+        return 0;
     said->count = supposed->count = 0;
+    *out = (struct parts){.are_ranges = 1};
     for (int k = 0; k < t->count; k++) {
-        int names = 0, plain = k > 0 && (tells_a_name(scope, t->at[k]) ||
-                                         (is_of_plain_names(scope, t->at[k], &names) && names > 0));
+        int is_range = cagd_is_range_of_name(scope, t->at[k], premise),
+            plain = is_range || (k > 0 && (tells_a_name(scope, t->at[k]) || (cagd_is_of_plain_names(scope, t->at[k]))));
         cagd_tree *to = plain ? supposed : said;
         to->at[to->count++] = t->at[k];
+        if (plain && (out->where == NULL || (!is_range && out->are_ranges)))
+            out->where = t->at[k];
+        out->are_ranges &= is_range || !plain;
     }
-    if (supposed->count == 0)
-        return NULL;
-    *first = supposed->at[0];
-    both->at[0] = supposed->count == 1 ? supposed->at[0] : supposed;
-    both->at[1] = said->count == 1 ? said->at[0] : said;
-    return both;
+    if (said->count == 0) { /* a >= 0, a^3 >= 0: what is no range is said */
+        supposed->count = 0;
+        for (int k = 0; k < t->count; k++) {
+            cagd_tree *to = cagd_is_range_of_name(scope, t->at[k], premise) ? supposed : said;
+            to->at[to->count++] = t->at[k];
+        }
+        out->where = supposed->at[0], out->are_ranges = 1;
+    }
+    if (supposed->count == 0 || said->count == 0)
+        return 0;
+    for (int k = 0; k < supposed->count; k++)
+        supposed->at[k] = for_every_letter(scope, supposed->at[k], said);
+    out->supposed = supposed->count == 1 ? supposed->at[0] : supposed;
+    both->at[0] = premise, both->at[1] = out->supposed;
+    implication->at[0] = premise != NULL ? both : out->supposed;
+    implication->at[1] = said->count == 1 ? said->at[0] : said;
+    out->statement = implication;
+    return 1;
+}
+
+/* R_i \ge 0 \text{ if } \omega_i > 0, i = 0, 1, 2, which fails if it is supposed of one i each time: where it is supposed of all of them, does it not? */
+static int fails_for_one_alone(const cagd_scope *scope, const cagd_tree *t, double seconds, cagd_finding *out)
+{
+    if (t->kind != CAGD_IMPLIES || t->at[1]->from > t->at[0]->from)
+        return 0;
+    cagd_tree *other = cagd_tree_new(CAGD_IMPLIES, t->from, t->to, 2);
+    cagd_finding *second = region_bytes(sizeof *second);
+    const cagd_tree *supposed = for_every_letter(scope, t->at[0], NULL);
+    if (other == NULL || second == NULL || supposed == t->at[0])
+        return 0;
+    other->at[0] = supposed, other->at[1] = t->at[1];
+    check(scope, other, seconds, 0, second);
+    if (second->answer == CAGD_FAILS)
+        return 0;
+    *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = t->at[0]};
+    out->why =
+        "it fails if this is supposed for one index each time, and not where it is for all of them: then write it in "
+        ":for: or in a let block";
+    return 1;
 }
 
 void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
 {
-    const cagd_tree *where = NULL;
+    struct parts parts;
     check(scope, statement, seconds, 0, out);
-    const cagd_tree *other = out->answer == CAGD_FAILS ? with_parts_supposed(scope, statement, &where) : NULL;
-    if (other == NULL)
+    if (out->answer == CAGD_FAILS && fails_for_one_alone(scope, statement, seconds, out))
+        return;
+    if (out->answer == CAGD_HOLDS || !suppose_parts(scope, statement, &parts) ||
+        (out->answer == CAGD_UNDECIDED && !parts.are_ranges))
         return;
     cagd_finding *second = region_bytes(sizeof *second);
     if (second == NULL)
         return;
-    check(scope, other, seconds, 0, second);
+    check(scope, parts.statement, seconds, 0, second);
     if (second->answer == CAGD_FAILS ||
-        are_ranges(other->at[0])) { /* in both readings, with numbers that satisfy what can be a condition */
+        parts.are_ranges) { /* in both readings, with numbers that satisfy what can be a condition */
         *out = *second;
-        out->supposed = out->answer == CAGD_HOLDS ? other->at[0] : NULL;
+        out->supposed = out->answer == CAGD_HOLDS ? parts.supposed : NULL;
         return;
     }
-    *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = where};
+    *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = parts.where};
     out->why = "it fails if this is said, and not where it is supposed: then write \\text{for} before it";
 }
 
@@ -302,8 +357,9 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
 {
     double until = cagd_seconds() + seconds;
     int held = 0;
-    const cagd_tree *where, *other = out->supposed != NULL ? with_parts_supposed(scope, statement, &where) : NULL;
-    statement = other != NULL ? other : statement;
+    struct parts parts;
+    if (out->supposed != NULL && suppose_parts(scope, statement, &parts))
+        statement = parts.statement;
     for (int k = 0; k < MOST_CHANGES && cagd_seconds() < until; k++) {
         region_mark mark = region_open();
         cagd_finding *f = region_bytes(sizeof *f);

@@ -7,7 +7,7 @@ static int uses(const cagd_scope *scope, const cagd_tree *t, const char *head, i
     if (t == NULL || depth > 12)
         return t != NULL;
     if (t->head != NULL && strcmp(t->head, head) == 0)
-        return t->kind != CAGD_EVERY_INDEX;
+        return t->kind != CAGD_EVERY_INDEX && t->kind != CAGD_FOR_ALL;
     if (t->times != NULL && uses(scope, t->times, head, depth))
         return 1;
     for (int k = 0; k < t->count; k++)
@@ -50,6 +50,15 @@ int cagd_condition_speaks_of(const cagd_scope *scope, const cagd_tree *condition
     return 0;
 }
 
+/* Whether the letter stands in the list of numbers of that variable. */
+static int is_in_list(const cagd_variable *v, const char *head)
+{
+    for (int k = 0; k < v->listed_count; k++)
+        if (cagd_tree_has(v->listed[k], head))
+            return 1;
+    return 0;
+}
+
 int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *list[], int room)
 {
     int count = 0;
@@ -60,7 +69,7 @@ int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, cons
             used |= uses(scope, scope->conditions[k], v->head, 0);
         for (int k = 0; k < count; k++) /* or the range of one that is used */
             used |= (list[k]->low != NULL && cagd_tree_has(list[k]->low, v->head)) ||
-                    (list[k]->high != NULL && cagd_tree_has(list[k]->high, v->head));
+                    (list[k]->high != NULL && cagd_tree_has(list[k]->high, v->head)) || is_in_list(list[k], v->head);
         for (const cagd_variable *w = scope->variables; w != NULL; w = w->next)
             used |= !w->whole && uses(scope, statement, w->head, 0) &&
                     ((w->low != NULL && cagd_tree_has(w->low, v->head)) ||

@@ -256,6 +256,27 @@ const cagd_tree *cagd_body_of(cagd_context *c, const cagd_tree *t, const cagd_va
     return NULL;
 }
 
+/* "no definition fits with i = -1": the letters are those of the first definition; numbers that are long, or none, are left out. */
+static const char *why_none_fits(const cagd_context *c, const cagd_tree *t, const cagd_value value[])
+{
+    static const char words[] = "no definition fits";
+    const cagd_definition *d = cagd_defined(c->scope, t->head);
+    char text[120];
+    int used = snprintf(text, sizeof text, "%s", words), told = 0;
+    for (; d != NULL && strcmp(d->left->head, t->head) == 0 && told == 0; d = d->next)
+        for (int k = 0; k < d->left->count && used < 80; k++) {
+            char number[24];
+            int length = value[k].rational && d->left->at[k]->kind == CAGD_NAME && strlen(d->left->at[k]->head) < 12
+                             ? gmp_snprintf(number, sizeof number, "%Qd", value[k].q.at)
+                             : 0;
+            if (length > 0 && length < 20)
+                used += snprintf(text + used, sizeof text - (size_t)used, "%s %s = %s", told++ == 0 ? " with" : ",",
+                                 d->left->at[k]->head, number);
+        }
+    const char *kept = told > 0 ? cagd_text_of(text, used) : NULL;
+    return kept != NULL ? kept : words;
+}
+
 /* The value of the definitions of that name for these indices and arguments. */
 static cagd_value apply(cagd_context *c, const cagd_tree *t, const cagd_value value[], const frame *caller)
 {
@@ -268,7 +289,7 @@ static cagd_value apply(cagd_context *c, const cagd_tree *t, const cagd_value va
         return variable(c, t, caller);
     if (body == NULL) {
         c->fits_none = 1;
-        return cagd_fail(c, t, FAULT_UNDEFINED, "no definition fits");
+        return cagd_fail(c, t, FAULT_UNDEFINED, why_none_fits(c, t, value));
     }
     if (c->depth == MOST_CALLS)
         return cagd_fail(c, t, FAULT_UNABLE, "definitions that use one another without end");

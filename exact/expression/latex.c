@@ -443,17 +443,99 @@ static int behind_small_group(const cagd_latex_text *t, int k, int stop)
     return k + 2 < stop && strchr("=<>+-", t->bytes[k + 1]) != NULL && t->bytes[k + 2] == '}' ? k + 3 : k;
 }
 
+/* Whether what begins at k, {=} or a sign, a relation or a space, goes on with the row before it. */
+static int goes_on_with_row(const cagd_latex_text *t, int k, int stop)
+{
+    static const char *const words[] = {
+        "\\quad",     "\\qquad",  "\\text",  "\\mbox",  "\\le",         "\\leq",     "\\ge",       "\\geq",
+        "\\ne",       "\\neq",    "\\equiv", "\\times", "\\cdot",       "\\hspace",  "\\phantom",  "\\hphantom",
+        "\\dots",     "\\ldots",  "\\cdots", "\\iff",   "\\Rightarrow", "\\implies", "\\coloneqq", "\\leqslant",
+        "\\geqslant", "\\approx", "\\qquad", "\\,",     "\\;",          "\\ "};
+    int next = behind_word(t, k);
+    if (k >= stop || strchr("+-=<>,;/*:.", t->bytes[k]) != NULL)
+        return 1;
+    for (size_t m = 0; m < sizeof words / sizeof *words; m++)
+        if (is_word(t, k, next, words[m]))
+            return 1;
+    return t->bytes[k] == '{' && k + 1 < stop && strchr("}=<>+-", t->bytes[k + 1]) != NULL;
+}
+
+/* Whether a formula of its own begins at k, behind the end of a row: it has a relation, before which no comma, text or & stands, but for the & right before it.  `leads`:
+ * the rows of this environment begin with &. */
+static int begins_formula(const cagd_latex_text *t, int k, int stop, int leads)
+{
+    static const char *const relations[] = {"\\le",  "\\leq",   "\\ge",       "\\geq",      "\\ne",
+                                            "\\neq", "\\equiv", "\\leqslant", "\\geqslant", "\\coloneqq"};
+    int depth = 0, behind_sign = 0;
+    while (k < stop && is_blank(t->bytes[k]))
+        k++;
+    if (k < stop && t->bytes[k] == '&' && !leads)
+        return 0;
+    for (k += k < stop && t->bytes[k] == '&'; k < stop && is_blank(t->bytes[k]);)
+        k++;
+    if (goes_on_with_row(t, k, stop))
+        return 0;
+    for (int next; k < stop; k = next) {
+        next = behind_word(t, k);
+        char c = t->bytes[k];
+        int is_relation = strchr("=<>", c) != NULL;
+        for (size_t m = 0; m < sizeof relations / sizeof *relations; m++)
+            is_relation |= is_word(t, k, next, relations[m]);
+        if (is_word(t, k, next, "\\end") || (depth == 0 && is_word(t, k, next, "\\\\")))
+            return 0;
+        depth += (strchr("({[", c) != NULL) - (strchr(")}]", c) != NULL);
+        if (depth == 0 && is_relation)
+            return 1;
+        if (depth == 0 && (c == ',' || is_word(t, k, next, "\\text") || is_word(t, k, next, "\\mbox") ||
+                           (behind_sign && !is_blank(c))))
+            return 0;
+        behind_sign = depth == 0 && (c == '&' || (behind_sign && is_blank(c)));
+    }
+    return 0;
+}
+
+/* Whether the formula so far is whole: its brackets are closed, and neither a comma nor a sign stands at its end. */
+static int is_whole_formula(const cagd_latex_text *t)
+{
+    int depth = 0, end = t->size, has_relation = 0;
+    for (int k = 0; k < t->size; k++) {
+        depth += (strchr("({[", t->bytes[k]) != NULL) - (strchr(")}]", t->bytes[k]) != NULL);
+        has_relation |= strchr("=<>", t->bytes[k]) != NULL ||
+                        (t->bytes[k] == '\\' && k + 1 < t->size && strchr("lgn", t->bytes[k + 1]) != NULL);
+    }
+    while (end > 0 && is_blank(t->bytes[end - 1]))
+        end--;
+    return depth == 0 && has_relation && end > 0 && strchr(",;+-=<>*/", t->bytes[end - 1]) == NULL;
+}
+
+/* Comments at k, on the line on which the environment begins: they belong to all of its rows.  What is behind them. */
+static int notes_of_all(struct source *s, int k, int stop, cagd_latex_note shared[], int *shares)
+{
+    const cagd_latex_text *t = s->in;
+    int at = k;
+    while (at < stop && (t->bytes[at] == ' ' || t->bytes[at] == '\t'))
+        at++;
+    if (at == stop || t->bytes[at] != '%')
+        return k;
+    cagd_latex_note note;
+    int end = read_note(s, at, &note);
+    if (!is_let(s, &note))
+        keep_note(s, shared, shares, note);
+    return end;
+}
+
 /* The body of an environment, in[k..stop). */
 static void read_body(struct source *s, int k, int stop, enum rows rows)
 {
     const cagd_latex_text *t = s->in;
     char inside[MOST_NESTED][LONGEST_NAME];
     struct row before = {0}, r = {.at = k < t->size ? t->from[k] : 0};
-    int depth = 0, braces = 0, has_before = 0, ended_at = -1;
+    int depth = 0, braces = 0, has_before = 0, ended_at = -1, leads = 0;
     cagd_latex_note shared[CAGD_LATEX_MOST_NOTES];
     int shares = s->waits, first = s->out->items;
     memcpy(shared, s->waiting, sizeof shared);
     s->waits = 0;
+    k = rows == EACH ? notes_of_all(s, k, stop, shared, &shares) : k;
     while (k < stop && region_faults == 0) {
         int next = behind_word(t, k), set = depth == 0 || is_setting(inside[depth - 1]);
         char c = t->bytes[k];
@@ -465,11 +547,18 @@ static void read_body(struct source *s, int k, int stop, enum rows rows)
             k = ended_at = behind_break(t, k, stop);
             if (depth == 0 && rows == EACH)
                 end_row(s, &before, &has_before, &r, k < t->size ? t->from[k] : r.at);
-            else
+            else {
+                if (depth > 0 && is_whole_formula(&r.text) && begins_formula(t, k, stop, leads)) {
+                    while (is_blank(r.text.bytes[r.text.size - 1]))
+                        r.text.size--;
+                    cagd_latex_put(&r.text, ',', t->from[k - 1]);
+                }
                 cagd_latex_put(&r.text, ' ', t->from[k - 1]);
+            }
             continue;
         }
         braces += (c == '{') - (c == '}');
+        int outside = depth;
         int end = c == '\\' && next > k + 2 ? inner_environment(t, k, inside, &depth) : k;
         if (end == k && c == '\\')
             end = behind_brace_of_array(t, k, &r, inside, &depth);
@@ -480,6 +569,11 @@ static void read_body(struct source *s, int k, int stop, enum rows rows)
         if (end > k) {
             cagd_latex_put(&r.text, ' ', t->from[k]);
             k = end;
+            if (depth > outside) {
+                for (leads = k; leads < stop && is_blank(t->bytes[leads]);)
+                    leads++;
+                leads = leads < stop && t->bytes[leads] == '&';
+            }
         } else if ((end = behind_small_group(t, k, stop)) > k) {
             cagd_latex_put(&r.text, ' ', t->from[k]);
             if (end > k + 2)

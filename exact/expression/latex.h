@@ -7,7 +7,7 @@
  *     \end{equation}
  *
  * A comment belongs to the formula in which it stands, in an environment of several rows to its row, also behind the \\ that ends
- * it; behind the end of the environment on the same line, to all of its rows; one that stands alone, to the environment that comes next.  Every byte of what is read knows the byte of the source it comes
+ * it; on the line on which the environment begins or ends, to all of its rows; one that stands alone, to the environment that comes next.  Every byte of what is read knows the byte of the source it comes
  * from; what a command of the author stands for comes from where the command was called. */
 #ifndef CAGD_LATEX_H
 #define CAGD_LATEX_H

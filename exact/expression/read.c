@@ -13,8 +13,11 @@ int cagd_reader_open(cagd_reader *r, const cagd_scope *scope, const char *text, 
 {
     *error = (cagd_reading_error){0};
     *r = (cagd_reader){.scope = scope, .text = text, .error = error};
-    r->token = cagd_tokens(text, from, to, error);
-    return r->token != NULL;
+    cagd_token *list = cagd_tokens(text, from, to, error);
+    if (list != NULL)
+        cagd_open_rows(list);
+    r->token = list;
+    return list != NULL;
 }
 
 int cagd_next_is(const cagd_reader *r, const char *word)
@@ -117,7 +120,7 @@ const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script)
         if (t != NULL)
             t->head = head, t->dimension = cagd_is_bound(r, head) ? 0 : cagd_dimension_of(r->scope, head);
         if (t != NULL && !cagd_may_be_unknown(r) && !cagd_is_known(r, head))
-            return cagd_refuse_tree(r, t, "%s is not defined", head);
+            return cagd_complain_of_letter(r, t->from, t->to, head);
         return t;
     }
     if (is_script && r->token->kind != CAGD_TOKEN_WORD)
@@ -127,7 +130,7 @@ const cagd_tree *cagd_read_argument(cagd_reader *r, int is_script)
 
 const char *cagd_read_words(cagd_reader *r)
 {
-    if (!cagd_next_is(r, "\\text") && !cagd_next_is(r, "\\mbox") && !cagd_next_is(r, "\\textrm"))
+    if (!cagd_next_is(r, "\\text"))
         return NULL;
     r->token++;
     if (!cagd_expect(r, "{", "\\text"))
@@ -136,8 +139,8 @@ const char *cagd_read_words(cagd_reader *r)
     while (r->token->kind != CAGD_TOKEN_END && !cagd_next_is(r, "}"))
         r->token++;
     int to = r->token->from;
-    while (to > from && r->text[to - 1] == ' ')
-        to--;
+    while (to > from && strchr(" ~\n", r->text[to - 1]) != NULL)
+        to -= to - from > 1 && r->text[to - 2] == '\\' ? 2 : 1;
     const char *words = cagd_text_of(r->text + from, to - from);
     cagd_pass(r, "}");
     return words != NULL ? words : "";
@@ -174,11 +177,66 @@ static const cagd_tree *truncated(cagd_reader *r, const cagd_tree *x, int from)
     return cagd_new_of(r, CAGD_CASES, from, 3, (const cagd_tree *[]){power, where, zero});
 }
 
-/* t with the q that stands below behind it: [n]_q, [n]_q!, \binom{n}{k}_q. */
+/* a b and a - b. */
+static const cagd_tree *times(cagd_reader *r, const cagd_tree *a, const cagd_tree *b)
+{
+    return cagd_new_of(r, CAGD_PRODUCT, r->token[-1].from, 2, (const cagd_tree *[]){a, b});
+}
+static const cagd_tree *minus(cagd_reader *r, const cagd_tree *a, const cagd_tree *b)
+{
+    int from = r->token[-1].from;
+    b = b != NULL ? cagd_new_of(r, CAGD_NEGATIVE, from, 1, &b) : NULL;
+    return cagd_new_of(r, CAGD_SUM, from, 2, (const cagd_tree *[]){a, b});
+}
+
+/* "{p,q}" comes next, two numbers: [n]_{p,q} = (p^n - q^n)/(p - q) is p^{n-1} [n]_{q/p}, its factorial p^{n(n-1)/2} [n]_{q/p}!, and the coefficient that of
+ * q/p times p^{k(n-k)}. */
+static const cagd_tree *with_p_and_q(cagd_reader *r, const cagd_tree *t, int from)
+{
+    r->token++;
+    const cagd_tree *p = cagd_read_sum(r);
+    const cagd_tree *q = p != NULL && cagd_expect(r, ",", "p") ? cagd_read_sum(r) : NULL;
+    if (q == NULL || !cagd_expect(r, "}", "q"))
+        return NULL;
+    const cagd_tree *one = cagd_tree_number(1, from, from), *power, *number;
+    const cagd_tree *ratio = cagd_new_of(r, CAGD_QUOTIENT, from, 2, (const cagd_tree *[]){q, p});
+    if (t->kind == CAGD_BINOMIAL || (t->kind == CAGD_POINT && t->count == 2)) {
+        power = times(r, t->at[1], minus(r, t->at[0], t->at[1]));
+        number = cagd_new_of(r, CAGD_Q_BINOMIAL, from, 3, (const cagd_tree *[]){t->at[0], t->at[1], ratio});
+    } else if (t->dimension > 0) {
+        return cagd_refuse_tree(r, t, "an index behind a bracket");
+    } else if (cagd_pass(r, "!")) {
+        power = cagd_new_of(r, CAGD_QUOTIENT, from, 2,
+                            (const cagd_tree *[]){times(r, t, minus(r, t, one)), cagd_tree_number(2, from, from)});
+        number = cagd_new_of(r, CAGD_Q_FACTORIAL, from, 2, (const cagd_tree *[]){t, ratio});
+    } else {
+        power = minus(r, t, one);
+        number = cagd_new_of(r, CAGD_Q_NUMBER, from, 2, (const cagd_tree *[]){t, ratio});
+    }
+    power = cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){p, power});
+    return cagd_new_of(r, CAGD_PRODUCT, from, 2, (const cagd_tree *[]){power, number});
+}
+
+/* Whether two values in braces come next. */
+static int is_pair(const cagd_reader *r)
+{
+    int depth = 0, commas = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        commas += depth == 1 && t->word[0] == ',';
+        if (depth == 0)
+            break;
+    }
+    return cagd_next_is(r, "{") && commas == 1;
+}
+
+/* t with the q that stands below behind it: [n]_q, [n]_q!, \binom{n}{k}_q; or with p and q. */
 static const cagd_tree *with_q(cagd_reader *r, const cagd_tree *t, int from)
 {
     if (t == NULL || !cagd_pass(r, "_"))
         return t;
+    if (is_pair(r))
+        return with_p_and_q(r, t, from);
     const cagd_tree *q = cagd_read_argument(r, 1);
     if (q != NULL && q->kind == CAGD_NUMBER && cagd_next_is(r, "^"))
         return cagd_refuse_token(r,
@@ -253,6 +311,18 @@ static int place_follows(const cagd_reader *r)
     return strcmp(t[2].word, "(") == 0 || (t[2].kind == CAGD_TOKEN_LETTER && strcmp(t[3].word, "=") == 0);
 }
 
+/* [n], [n-1], [2], [x], which no product needs a bracket for; the next token is the bracket's end. */
+static int is_alone_in_brackets(const cagd_reader *r, const cagd_tree *a)
+{
+    const cagd_token *behind = r->token + 1;
+    int has_name = 0;
+    if (a->dimension > 0 || !cagd_next_is(r, "]") || strcmp(behind->word, "_") == 0)
+        return 0;
+    if (a->kind == CAGD_NAME && a->count == 0 && !cagd_is_bare_function(r, a))
+        return 1;
+    return a->kind != CAGD_PRODUCT && cagd_is_of_whole_numbers(r, a, &has_name);
+}
+
 /* (...), [...], {...}: the value itself. */
 static const cagd_tree *group(cagd_reader *r, const char *close)
 {
@@ -270,6 +340,9 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
         a = with_infix(r, a, from);
     if (a != NULL && close[0] == ']')
         a = cagd_in_square_brackets(r, a);
+    if (a != NULL && close[0] == ']' && is_alone_in_brackets(r, a))
+        return cagd_refuse_tree(r, a,
+                                "is it a q-number, a whole part or a bracket? write [n]_q, \\lfloor n \\rfloor or (n)");
     if (a == NULL || !cagd_expect(r, close, "the bracket") ||
         (!cagd_is_bare_function(r, a) && cagd_refuse_argument(r, a)))
         return NULL;
@@ -371,11 +444,36 @@ static const char *environment_of_cases(cagd_reader *r, int behind_brace)
     return NULL;
 }
 
+/* Whether a text says one of these; commas and the like around it do not count, nor does how it begins. */
+static int says_one_of(const char *text, const char *const words[])
+{
+    while (*text == ' ' || *text == ',')
+        text++;
+    size_t n = strlen(text);
+    while (n > 0 && strchr(" ,.;:", text[n - 1]) != NULL)
+        n--;
+    for (int k = 0; words[k] != NULL; k++)
+        if (strlen(words[k]) == n &&
+            (n == 0 || ((text[0] | ' ') == words[k][0] && memcmp(text + 1, words[k] + 1, n - 1) == 0)))
+            return 1;
+    return 0;
+}
+
+/* What stands at the end of a row besides its value or its condition. */
+static void pass_punctuation(cagd_reader *r)
+{
+    if (!cagd_pass(r, ",") && !cagd_pass(r, ";"))
+        cagd_pass(r, ".");
+}
+
 /* The cases, the word \begin being passed, and a brace before it or not. */
 static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
 {
-    static const char *const otherwise[] = {"otherwise", "else", "otherwise.", "elsewhere", NULL};
-    static const char *const when[] = {"if", "for", "when", "where", "", NULL};
+    static const char *const otherwise[] = {
+        "otherwise", "else", "elsewhere", "in all other cases", "in other cases", "in the other cases", NULL};
+    static const char *const when[] = {
+        "if",      "for",       "when",     "where",   "whenever", "as", "with", "provided", "provided that",
+        "for all", "for every", "for each", "for any", "",         NULL};
     const cagd_tree *list[CAGD_MOST_CHILDREN];
     int count = 0;
     const char *name = environment_of_cases(r, behind_brace);
@@ -391,24 +489,28 @@ static const cagd_tree *cases(cagd_reader *r, int behind_brace, int from)
         list[count] = cagd_read_sum(r);
         if (list[count++] == NULL)
             return NULL;
-        cagd_pass(r, ",");
-        cagd_pass(r, "&");
+        pass_punctuation(r);
+        if (cagd_pass(r, "&") && !cagd_pass(r, ","))
+            cagd_pass(r, ":");
         if (cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end"))
             return cagd_refuse_token(r, "expected a condition behind '&', or \\text{otherwise}, not %s",
                                      cagd_name_of_next(r));
         const cagd_token *at = r->token;
         const char *words = cagd_read_words(r);
-        if (words != NULL && is_one_of(words, otherwise))
+        if (words != NULL && says_one_of(words, otherwise)) {
+            pass_punctuation(r);
             continue;
-        if (words != NULL && !is_one_of(words, when)) {
+        }
+        if (words != NULL && !says_one_of(words, when)) {
             r->token = at;
             return cagd_refuse_token(r, "'%s' is not understood; expected 'if' or 'otherwise'", words);
         }
-        list[count] = cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_conditions(r);
+        r->lists++, r->premises++;
+        list[count] = cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_alternatives(r);
+        r->lists--, r->premises--;
         if (list[count++] == NULL)
             return NULL;
-        if (!cagd_pass(r, ","))
-            cagd_pass(r, ".");
+        pass_punctuation(r);
     } while (cagd_pass(r, "\\\\"));
     if (!cagd_expect(r, "\\end", "the cases") || !cagd_environment(r, name))
         return cagd_refuse_token(r, "expected \\end{%s}", name);
@@ -525,6 +627,12 @@ static const cagd_tree *block(cagd_reader *r, int from)
         return determinant(r, from);
     const char *matrix = cagd_pass_matrix(r);
     const cagd_tree *t = matrix != NULL ? cagd_read_matrix(r, matrix, from) : cases(r, 0, from);
+    int has_name = 0;
+    int has_q = strcmp(r->token[r->token->kind != CAGD_TOKEN_END && cagd_next_is(r, "]")].word, "_") == 0;
+    if (t != NULL && t->kind == CAGD_POINT && t->dimension == 2 && !has_q &&
+        cagd_is_of_whole_numbers(r, t->at[0], &has_name) && cagd_is_of_whole_numbers(r, t->at[1], &has_name) &&
+        has_name)
+        return cagd_refuse_tree(r, t, "a binomial coefficient, or a vector? write \\binom{n}{k}, or (n, k)");
     return t != NULL && t->kind == CAGD_POINT && t->count == 2 ? with_q(r, t, from) : t;
 }
 
@@ -595,10 +703,17 @@ static const cagd_tree *word(cagd_reader *r)
         return r->token++, scalar_product(r);
     if (strcmp(w, "\\underbrace") == 0 || strcmp(w, "\\overbrace") == 0)
         return r->token++, under_a_brace(r);
-    static const char *const others[] = {"\\sec",  "\\csc",    "\\exp",    "\\log",    "\\ln", "\\sinh", "\\cosh",
-                                         "\\tanh", "\\arcsin", "\\arccos", "\\arctan", NULL};
+    static const char *const others[] = {"\\sec",  "\\csc",  "\\exp",    "\\log",    "\\ln",     "\\sinh",
+                                         "\\cosh", "\\tanh", "\\arcsin", "\\arccos", "\\arctan", NULL};
     if (is_one_of(w, others))
         return cagd_refuse_token(r, "%s is no rational function: name its value, and say what relation it has", w);
+    if (strcmp(w, "\\vdots") == 0 || strcmp(w, "\\ddots") == 0)
+        return cagd_refuse_token(r, "what is left out? a matrix is written with all of its entries");
+    static const char *const plain[] = {"\\cases", "\\matrix", "\\pmatrix", "\\eqalign", NULL};
+    if (is_one_of(w, plain))
+        return cagd_refuse_token(r, "of plain TeX: write \\begin{%s} ... \\end{%s}",
+                                 strcmp(w, plain[3]) == 0 ? "aligned" : w + 1,
+                                 strcmp(w, plain[3]) == 0 ? "aligned" : w + 1);
     if (strcmp(w, "\\dots") == 0)
         return cagd_refuse_token(r, "what is left out? write it with \\sum or \\prod");
     return cagd_refuse_token(r, "%s is not understood", w);
@@ -1117,8 +1232,9 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
             more = 1;
         else if (words != NULL)
             r->token = here, more = 0;
-        if (more && (cagd_next_is_member(r) || cagd_forall_of_names(r) || r->token->kind == CAGD_TOKEN_END ||
-                     cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
+        if (more && (cagd_next_is_member(r) || cagd_forall_of_names(r) ||
+                     (r->premises == 0 && cagd_next_is_parity(r)) || cagd_next_is_other_definition(r) ||
+                     r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
             more = 0;
     } while (more);
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);

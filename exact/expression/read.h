@@ -14,6 +14,14 @@ const cagd_tree *cagd_read_value(const cagd_scope *scope, const char *text, int 
 const cagd_tree *cagd_read_statement(const cagd_scope *scope, const char *text, int from, int to,
                                      cagd_reading_error *error);
 
+/* What is supposed behind a formula, with or without a word before it: ranges of letters that stand in it alone are its own, and those of whole numbers that are
+ * known are left out.  NULL where nothing is left; an error only where one is noted. */
+const cagd_tree *cagd_read_supposed(const cagd_scope *scope, const char *text, int from, int to,
+                                    cagd_reading_error *error);
+/* What is asked of a relation behind a formula and its ranges. */
+#define CAGD_SAID_OR_SUPPOSED \
+    "is this said as well, or supposed? write \\text{where} before what is supposed, and what is said as a statement of its own"
+
 /* A line that says what a name means is added to the scope; 0 and the error where it does not:
  *
  *     B_i^n(t) = \binom{n}{i} t^i (1-t)^{n-i}       a definition

@@ -103,57 +103,104 @@ static int next_definition(const cagd_reader *r)
     return has_arguments && is_equal_sign(t) && strcmp(t[-1].word, ")") == 0;
 }
 
-/* i = 0, 1, \dots, n as a condition: 0 \le i \le n. */
-static const cagd_tree *index_range(cagd_reader *r)
+int cagd_next_is_other_definition(const cagd_reader *r)
 {
-    static const cagd_relation between[2] = {CAGD_LESS_OR_EQUAL, CAGD_LESS_OR_EQUAL};
-    const cagd_token *t = r->token;
-    while (t->kind != CAGD_TOKEN_END && strcmp(t->word, "\\dots") != 0)
-        t++;
-    if (r->token->kind != CAGD_TOKEN_LETTER || strcmp(r->token[1].word, "=") != 0 || t->kind == CAGD_TOKEN_END)
-        return NULL;
-    const cagd_tree *name = cagd_read_name(r), *high = NULL;
-    cagd_pass(r, "=");
-    r->ends++;
-    const cagd_tree *low = name != NULL ? cagd_read_sum(r) : NULL;
-    r->ends--;
-    while (low != NULL && cagd_pass(r, ",") && !cagd_next_is(r, "\\dots"))
-        if (cagd_read_sum(r) == NULL)
-            return NULL;
-    if (low != NULL && cagd_expect(r, "\\dots", "the first numbers")) {
-        cagd_pass(r, ",");
-        high = cagd_read_sum(r);
-    }
-    return high != NULL ? cagd_relate(r, name->from, 3, (const cagd_tree *[]){low, name, high}, between) : NULL;
+    cagd_reader at = *r;
+    cagd_reading_error none = {0};
+    if (r->defines == NULL || !next_definition(r))
+        return 0;
+    at.error = &none;
+    const cagd_tree *name = declared_name(&at);
+    return name != NULL && (strcmp(name->head, r->defines) == 0 || !cagd_is_known(r, name->head));
 }
 
-/* What stands behind the comma of a definition. */
+/* What stands behind the comma of a definition: conditions, ranges of indices and intervals, with commas between; another definition may follow it. */
 static const cagd_tree *condition(cagd_reader *r)
 {
-    if (cagd_next_is_member(r))
-        return cagd_read_members(r);
-    const cagd_tree *range = index_range(r);
-    if (range == NULL)
-        return r->error->message[0] == '\0' ? cagd_read_alternatives(r) : NULL;
-    if (!cagd_pass(r, ",") || r->token->kind == CAGD_TOKEN_END)
-        return range;
-    const cagd_tree *more = condition(r);
-    return cagd_new_of(r, CAGD_ALL, range->from, 2, (const cagd_tree *[]){range, more});
+    r->lists++, r->premises++;
+    const cagd_tree *first = cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_alternatives(r);
+    r->lists--, r->premises--;
+    if (first == NULL)
+        return NULL;
+    int more = cagd_next_is_member(r) || ((cagd_pass(r, ",") || cagd_pass(r, ";")) &&
+                                          r->token->kind != CAGD_TOKEN_END && !cagd_next_is_other_definition(r));
+    return more ? cagd_new_of(r, CAGD_ALL, first->from, 2, (const cagd_tree *[]){first, condition(r)}) : first;
 }
 
 static int definition(cagd_reader *r, cagd_scope *scope);
 
-/* The right side of a definition, in which the arguments of the left side are known, and what stands behind it. */
-static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
+/* Whether all names of t are letters that are indices of the left side by themselves. */
+static int is_of_indices(const cagd_tree *left, const cagd_tree *t)
+{
+    int is = t->kind != CAGD_NAME;
+    for (int k = 0; !is && t->count == 0 && k < left->lower + left->upper; k++)
+        is = left->at[k]->kind == CAGD_NAME && strcmp(left->at[k]->head, t->head) == 0;
+    for (int k = 0; is && k < t->count; k++)
+        is = is_of_indices(left, t->at[k]);
+    return is;
+}
+
+/* D_{\lfloor n/2 \rfloor}^n: an index that the others give becomes a letter that no text has, and *given the condition that it is that. */
+static const cagd_tree *with_given_indices(cagd_reader *r, const cagd_tree *left, const cagd_tree **given)
+{
+    static const char *const letters[2 * CAGD_MOST_INDICES] = {"index 1", "index 2", "index 3", "index 4",
+                                                               "index 5", "index 6", "index 7", "index 8"};
+    static const cagd_relation equal[] = {CAGD_EQUAL};
+    const cagd_tree *condition[2 * CAGD_MOST_INDICES];
+    int count = 0;
+    cagd_tree *copy = cagd_new(r, CAGD_NAME, left->from, left->count);
+    if (copy == NULL)
+        return NULL;
+    const cagd_tree **at = copy->at;
+    *copy = *left, copy->at = at;
+    for (int k = 0; k < left->count; k++) {
+        const cagd_tree *t = at[k] = left->at[k];
+        if (k >= left->lower + left->upper || t->kind == CAGD_NAME || t->kind == CAGD_NUMBER || !is_of_indices(left, t))
+            continue;
+        cagd_tree *letter = cagd_new(r, CAGD_NAME, t->from, 0);
+        if (letter == NULL)
+            return NULL;
+        letter->head = letters[count], letter->to = t->to, at[k] = letter;
+        condition[count++] = cagd_relate(r, t->from, 2, (const cagd_tree *[]){letter, t}, equal);
+    }
+    *given = count == 0 ? NULL : count == 1 ? condition[0] : cagd_new_of(r, CAGD_ALL, left->from, count, condition);
+    return count == 0 ? left : *given != NULL ? copy : NULL;
+}
+
+/* Whether an index is a number, or the same letter as another one. */
+static int has_index_of_its_own(const cagd_tree *left)
+{
+    for (int k = 0; k < left->count; k++)
+        if (left->at[k]->kind == CAGD_NUMBER || cagd_same_index(left, k) >= 0)
+            return 1;
+    return 0;
+}
+
+/* The right side of a definition, in which the arguments of the left side are known, and what stands behind it; `given`: NULL, or a
+ * condition of the left side. */
+static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, const cagd_tree *given)
 {
     struct cagd_bound bound[CAGD_MOST_CHILDREN];
     const struct cagd_bound *outside = r->bound;
     for (int k = 0; k < left->count; k++)
         if (left->at[k]->kind == CAGD_NAME) {
-            bound[k] = (struct cagd_bound){left->at[k]->head, r->bound};
+            bound[k] = (struct cagd_bound){left->at[k]->head, r->bound, 0};
             r->bound = &bound[k];
         }
+    int is_first = cagd_defined(scope, left->head) == NULL;
     cagd_definition *d = cagd_define(scope, left);
+    for (int k = left->lower + left->upper; d != NULL && k < left->count; k++) {
+        int arity = cagd_arity_of_argument(r, left->at[k]->head);
+        if (arity == 0)
+            continue;
+        if (!is_first || k >= 32 || has_index_of_its_own(left) || (d->functions != 0 && d->arity != arity))
+            return cagd_refuse_tree(
+                       r, left->at[k],
+                       "%s is a function there: such a definition stands alone, and its indices are letters",
+                       left->at[k]->head) != NULL;
+        d->functions |= 1u << k, d->arity = bound[k].arity = arity;
+    }
+    r->defining++;
     const cagd_tree *body = d != NULL ? cagd_read_sum(r) : NULL;
     int read = body != NULL;
     if (read) {
@@ -162,12 +209,18 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left)
         if (cagd_pass(r, ",") || cagd_next_is(r, "\\text") || bracket) {
             cagd_read_words(r);
             bracket = cagd_is_truth_in_brackets(r) && cagd_pass(r, "(");
+            r->defines = left->head;
             read = r->token->kind == CAGD_TOKEN_END || next_definition(r) ||
                    ((d->when = condition(r)) != NULL && (!bracket || cagd_expect(r, ")", "the condition")));
+            r->defines = NULL;
         }
     }
+    if (read && given != NULL)
+        d->when =
+            d->when == NULL ? given : cagd_new_of(r, CAGD_ALL, left->from, 2, (const cagd_tree *[]){given, d->when});
+    r->defining--;
     r->bound = outside;
-    return read;
+    return read && (given == NULL || d->when != NULL);
 }
 
 static int definition(cagd_reader *r, cagd_scope *scope)
@@ -180,9 +233,11 @@ static int definition(cagd_reader *r, cagd_scope *scope)
     if (left->kind != CAGD_NAME)
         return cagd_refuse_tree(r, left, "the left side of a definition is a name with its indices and arguments") !=
                NULL;
-    if (!is_left_side(r, left, 1) || (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
+    const cagd_tree *given = NULL;
+    left = with_given_indices(r, left, &given);
+    if (left == NULL || !is_left_side(r, left, 1) || (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
         return 0;
-    if (!right_side(r, scope, left))
+    if (!right_side(r, scope, left, given))
         return 0;
     return !next_definition(r) || definition(r, scope);
 }
@@ -260,21 +315,59 @@ static void open_last_bracket(const cagd_reader *r)
     t->word = ",", last->kind = CAGD_TOKEN_END;
 }
 
+/* Where the first definition of the line ends, "," or \text{where}, and the second one begins; 0 where there is one alone. */
+static int second_definition(cagd_reader *r, int *end)
+{
+    int depth = 0;
+    for (; r->token->kind != CAGD_TOKEN_END; r->token++) {
+        const cagd_token *at = r->token;
+        depth += (strchr("({[", at->word[0]) != NULL) - (strchr(")}]", at->word[0]) != NULL);
+        if (depth != 0 || (!cagd_next_is(r, ",") && !cagd_next_is(r, "\\text")))
+            continue;
+        *end = at->from;
+        cagd_pass(r, ",");
+        cagd_read_words(r);
+        if (next_definition(r))
+            return r->token->from;
+        r->token = at;
+    }
+    return 0;
+}
+
+/* Two definitions, K_n(f;x) = \sum p_{n,k}(x) ..., \quad p_{n,k}(x) = ..., of which the first has the second in it: that is read before it. */
+static int in_other_order(cagd_scope *scope, const char *text, int from, int to)
+{
+    cagd_reader r;
+    cagd_reading_error error;
+    int end, begin = cagd_reader_open(&r, scope, text, from, to, &error) && is_definition(r.token)
+                         ? second_definition(&r, &end)
+                         : 0;
+    return begin > 0 && cagd_read_definition(scope, text, begin, to, &error) &&
+           cagd_read_definition(scope, text, from, end, &error);
+}
+
 int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error)
 {
     cagd_reader r;
     cagd_scope before = *scope;
     if (!cagd_reader_open(&r, scope, text, from, to, error))
         return 0;
+    r.defining = 1;
     if (is_zero_over_zero(r.token)) {
         scope->zero_over_zero = 1;
         return 1;
     }
+    if (is_definition(r.token) && cagd_next_is(&r, "["))
+        return cagd_refuse_token(&r, "[n]_q and [n]_{p,q} are known: what begins so is no definition") != NULL;
     if (is_definition(r.token))
         open_last_bracket(&r);
     int good = is_definition(r.token) ? definition(&r, scope) : ranges(&r, scope, &before);
     if (good && (cagd_pass(&r, "."), r.token->kind != CAGD_TOKEN_END))
         good = cagd_refuse_token(&r, "expected the end of the line, not %s", cagd_name_of_next(&r)) != NULL;
+    if (!good) {
+        *scope = before;
+        good = strstr(error->message, " is not defined") != NULL && in_other_order(scope, text, from, to);
+    }
     if (!good)
         *scope = before;
     return good;
@@ -303,6 +396,9 @@ static const char *key_of_one(const cagd_tree *name)
 
 static int declare(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, cagd_variable v)
 {
+    const cagd_variable *same = cagd_declared(scope, name->head);
+    if (v.whole && same != NULL && same->whole && same->low->from == v.low->from && v.low->to > v.low->from)
+        return 1; /* it was read before what stands before it */
     v.head = name->head, v.lower = name->lower, v.upper = name->upper, v.left = name;
     if (name->arguments > 0 || name->order > 0)
         return cagd_refuse_tree(r, name, "a variable has no arguments: define the function") != NULL;
@@ -371,34 +467,35 @@ static int is_positive(const cagd_token *t)
     return (strcmp(sign, "+") == 0 || strcmp(sign, "*") == 0) && (!braces || strcmp(t[3].word, "}") == 0);
 }
 
-static int dots(cagd_reader *r, const cagd_tree **high);
-static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first);
+/* The variable runs over the numbers of the list. */
+static void take_list(cagd_variable *v, const cagd_list *list)
+{
+    v->whole = 1, v->low = list->low, v->high = list->high, v->step = list->step;
+    v->listed = list->listed, v->listed_count = list->count;
+}
 
 /* ℕ, or \{0, \dots, n\}. */
 static int whole_numbers(cagd_reader *r, cagd_variable *v)
 {
-    v->whole = 1;
+    v->whole = 1, v->real = 0;
     v->low = cagd_tree_number(0, r->token->from, r->token->to);
     if (cagd_pass(r, "\\N"))
         return 1;
     r->token++;
-    r->ends++;
-    v->low = cagd_read_sum(r);
-    r->ends--;
-    if (v->low == NULL)
+    cagd_list list;
+    int is_list = cagd_read_list(r, "n", &list);
+    if (is_list < 0)
         return 0;
-    int has_dots = dots(r, &v->high);
-    if (has_dots == 0)
-        v->high = listed(r, v->low);
-    if (has_dots >= 0 && v->high == NULL)
-        return cagd_refuse_token(
-                   r, "expected whole numbers one behind another, such as \\{0, 1, 2\\} or \\{0, \\dots, n\\}") != NULL;
-    return has_dots >= 0 && cagd_expect(r, "\\}", "the numbers");
+    if (!is_list && !cagd_next_is(r, "\\}"))
+        return cagd_refuse_token(r, "expected whole numbers, such as \\{0, 1, 2\\} or \\{0, \\dots, n\\}") != NULL;
+    take_list(v, is_list ? &list : &(cagd_list){.low = list.low, .high = list.low, .step = 1});
+    return cagd_expect(r, "\\}", "the numbers");
 }
 
 /* Behind \in: \mathbb{R}, \mathbb{N}, \mathbb{Z}^+, [a,b], (a,b), \{0, \dots, n\}. */
 static int set(cagd_reader *r, cagd_variable *v)
 {
+    v->real = 1;
     if (cagd_pass(r, "\\R"))
         return dimension(r, v);
     if (cagd_next_is(r, "\\N") || cagd_next_is(r, "\\{"))
@@ -409,7 +506,7 @@ static int set(cagd_reader *r, cagd_variable *v)
         if (!cagd_next_is(r, "R") && !cagd_next_is(r, "N") &&
             !(cagd_next_is(r, "Z") && r->token[1].kind != CAGD_TOKEN_END && is_positive(r->token + 1 + braces)))
             return cagd_refuse_token(r, "expected \\mathbb{R} or \\mathbb{N}; whole numbers are n = 1..12") != NULL;
-        v->whole = letter->word[0] != 'R';
+        v->whole = letter->word[0] != 'R', v->real = !v->whole;
         r->token++;
         if (braces && !cagd_expect(r, "}", "the set"))
             return 0;
@@ -439,7 +536,7 @@ static void bind_letters(cagd_reader *r, const cagd_tree *name, struct cagd_boun
 {
     for (int k = 0, used = 0; name != NULL && k < name->lower + name->upper; k++)
         if (name->at[k]->kind == CAGD_NAME && name->at[k]->count == 0) {
-            room[used] = (struct cagd_bound){name->at[k]->head, r->bound};
+            room[used] = (struct cagd_bound){name->at[k]->head, r->bound, 0};
             r->bound = &room[used++];
         }
 }
@@ -453,8 +550,9 @@ static int declare_one(cagd_scope *scope, const cagd_tree *name, cagd_variable b
     return one.head != NULL && cagd_declare(scope, one);
 }
 
-/* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma. */
-static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *listed)
+/* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma.  A number that has bounds by
+ * this list, which began with the scope `began`, keeps them. */
+static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, cagd_reading_error *listed)
 {
     const cagd_tree *name[CAGD_MOST_CHILDREN];
     struct place start = here(r);
@@ -494,109 +592,209 @@ static int elements(cagd_reader *r, cagd_scope *scope, cagd_reading_error *liste
             continue;
         }
         if (v.whole && before != NULL && before->low != NULL) /* n \ge 1, n \in \mathbb{N} */
-            w = *before, w.whole = 1;
+            w = *before, w.whole = 1, w.real = 0;
+        if (v.real && v.low == NULL && v.high == NULL && v.dimension == 0 && before != NULL && !before->whole &&
+            before != cagd_declared(began, name[k]->head)) /* 0 \le x \le 1, x \in \mathbb{R} */
+            w = *before, w.real = 1;
         if (!declare(r, scope, name[k], w))
             return 0;
     }
     return read;
 }
 
-/* Behind the first number of a range: "..n", ", 2, \dots, n", ", \dots"; the last number, or NULL in *high where there is none.
- * 0: there are no dots, and nothing was passed; -1: an error. */
-static int dots(cagd_reader *r, const cagd_tree **high)
+int cagd_begins_range(const cagd_token *t)
+{
+    return t->kind == CAGD_TOKEN_LETTER &&
+           (strcmp(t[1].word, "=") == 0 || (strcmp(t[1].word, "\\in") == 0 && strcmp(t[2].word, "\\{") == 0));
+}
+
+int cagd_read_index_range(cagd_reader *r, cagd_list *list)
 {
     struct place start = here(r);
-    *high = NULL;
-    int comma = cagd_pass(r, ",");
-    for (int k = 0; comma && k < 3 && !cagd_next_is(r, "\\dots"); k++)
-        if (cagd_read_sum(r) == NULL || !cagd_pass(r, ","))
-            return back(r, start);
-    if (!cagd_pass(r, "\\dots"))
+    if (!cagd_begins_range(r->token))
+        return 0;
+    const char *letter = r->token->word;
+    int is_set = strcmp(r->token[1].word, "\\in") == 0;
+    r->token += 2 + is_set;
+    if (cagd_read_list(r, letter, list) <= 0 || list->high == NULL || (is_set && !cagd_pass(r, "\\}")))
         return back(r, start);
-    struct place behind = here(r);
-    cagd_relation relation;
-    comma = cagd_pass(r, ",");
-    if (cagd_pass(r, "\\infty"))
-        return 1;
-    if (r->token->kind == CAGD_TOKEN_END)
-        return r->token = behind.token, 1;
-    *high = cagd_read_sum(r);
-    if (*high == NULL && !comma)
-        return -1;
-    if (*high == NULL || cagd_relation_next(r, &relation) || cagd_next_is(r, "\\in"))
-        *high = NULL, back(r, behind);
     return 1;
 }
 
-/* ", 1, 2, 3" behind the number 0: the last of them, each one more than the one before; NULL where there are none. */
-static const cagd_tree *listed(cagd_reader *r, const cagd_tree *first)
+/* Where a range of that letter stands ahead, behind a comma or words; NULL where it does not. */
+static const cagd_token *range_ahead(const cagd_reader *r, const char *letter)
 {
-    const cagd_tree *last = NULL;
-    long before =
-        first->kind == CAGD_NUMBER && cagd_is_whole_q(first->number) ? mpz_get_si(mpq_numref(first->number.at)) : -1;
-    for (; before >= 0 && before < CAGD_MOST_NODES && cagd_next_is(r, ",") && r->token[1].kind == CAGD_TOKEN_NUMBER;
-         before++) {
-        const cagd_token *t = r->token + 1;
-        char next[24];
-        snprintf(next, sizeof next, "%ld", before + 1);
-        if (strcmp(t->word, next) != 0 ||
-            (t[1].kind != CAGD_TOKEN_END && strcmp(t[1].word, ",") != 0 && strcmp(t[1].word, "\\}") != 0))
-            break;
-        r->token += 2;
-        last = cagd_tree_number(before + 1, t->from, t->to);
+    int depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 0 && t > r->token && strchr(",;}", t[-1].word[0]) != NULL && cagd_begins_range(t) &&
+            strcmp(t->word, letter) == 0)
+            return t;
     }
-    return last;
+    return NULL;
 }
 
-/* 0(1)n, the whole numbers from 0 to n. */
-enum { STEPS = 4 };
-static int steps_of_one(const cagd_token *t)
+/* Letters whose ranges stand ahead are known, though they are not read yet; their number. */
+static int bind_ranges_ahead(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDREN])
 {
-    return (t->kind == CAGD_TOKEN_NUMBER || t->kind == CAGD_TOKEN_LETTER) && strcmp(t[1].word, "(") == 0 &&
-           strcmp(t[2].word, "1") == 0 && strcmp(t[STEPS - 1].word, ")") == 0 &&
-           (t[STEPS].kind == CAGD_TOKEN_NUMBER || t[STEPS].kind == CAGD_TOKEN_LETTER);
+    int used = 0, depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 0 && t > r->token && strchr(",;}", t[-1].word[0]) != NULL && cagd_begins_range(t) &&
+            !cagd_is_known(r, t->word)) {
+            room[used] = (struct cagd_bound){t->word, r->bound, 0};
+            r->bound = &room[used++];
+        }
+    }
+    return used;
 }
-static const cagd_tree *lowest(cagd_reader *r, const cagd_token *t)
+
+/* The range that this list has of the letter, before what is read or behind it; 0 where it has none with an end. */
+static int range_in_list(cagd_reader *r, const cagd_scope *before, const char *letter, cagd_list *list)
 {
-    const cagd_token *here = r->token;
-    r->token = t;
-    const cagd_tree *low = cagd_read_argument(r, 1);
-    r->token = here;
-    return low;
+    const cagd_variable *v = cagd_declared(r->scope, letter);
+    struct place start = here(r);
+    if (v != NULL && v->whole && cagd_declared(before, letter) != v) {
+        *list = (cagd_list){v->low, v->high, v->step > 1 ? v->step : 1, v->listed, v->listed_count, 1};
+        return v->high != NULL && !v->low_open && !v->high_open;
+    }
+    const cagd_token *ahead = v == NULL && !cagd_is_known(r, letter) ? range_ahead(r, letter) : NULL;
+    if (ahead == NULL)
+        return 0;
+    struct cagd_bound room[CAGD_MOST_CHILDREN];
+    const struct cagd_bound *outside = r->bound;
+    bind_ranges_ahead(r, room);
+    r->token = ahead;
+    int is = cagd_read_index_range(r, list);
+    r->bound = outside;
+    back(r, start);
+    return is;
+}
+
+/* a_j = 0, j = 1, 2: the condition that the indices, letters, are within the ranges that the list has of them; NULL where it has none. */
+static const cagd_tree *within_ranges(cagd_reader *r, const cagd_scope *before, const cagd_tree *name)
+{
+    const cagd_tree *when = NULL;
+    cagd_list list;
+    for (int k = 0; k < name->lower + name->upper; k++)
+        if (name->at[k]->kind == CAGD_NAME && name->at[k]->count == 0 &&
+            range_in_list(r, before, name->at[k]->head, &list)) {
+            const cagd_tree *one = cagd_is_in_list(r, name->at[k], &list);
+            when = when == NULL ? one : cagd_new_of(r, CAGD_ALL, name->from, 2, (const cagd_tree *[]){when, one});
+        }
+    return when;
+}
+
+/* \lambda_i = -\lambda_{n+1-i}, which defines nothing: it is supposed for every i. */
+static int suppose_for_every(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, const cagd_tree *value)
+{
+    static const cagd_relation equal[] = {CAGD_EQUAL};
+    const cagd_tree *letter = NULL;
+    for (int k = 0; k < name->lower + name->upper; k++) {
+        if (name->at[k]->kind == CAGD_NUMBER)
+            continue;
+        if (letter != NULL)
+            return cagd_refuse_tree(r, name,
+                                    "a condition for every index has one letter: write it behind the formula") != NULL;
+        letter = name->at[k];
+    }
+    if (cagd_declared(scope, name->head) == NULL)
+        return cagd_refuse_tree(r, name, "%s is defined by itself", cagd_spelled(name->head)) != NULL;
+    const cagd_tree *t = cagd_relate(r, name->from, 2, (const cagd_tree *[]){name, value}, equal);
+    cagd_tree *every = t != NULL && letter != NULL ? cagd_new(r, CAGD_EVERY_INDEX, t->from, 1) : NULL;
+    if (every != NULL)
+        every->head = letter->head, every->at[0] = t, every->to = t->to;
+    return t != NULL && (letter == NULL || every != NULL) && cagd_suppose(scope, letter != NULL ? every : t);
 }
 
 /* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
-static int numbers(cagd_reader *r, cagd_scope *scope)
+static int numbers(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
 {
     struct place start = here(r);
+    cagd_variable v = {0};
     const cagd_tree *name = declared_name(r);
     if (name == NULL || !cagd_pass(r, "="))
         return back(r, start) - 1;
-    const cagd_token *low = r->token;
-    r->ends++;
-    cagd_variable v = {.whole = 1, .low = cagd_read_sum(r)};
-    r->ends--;
-    if (v.low == NULL)
+    cagd_list list;
+    struct cagd_bound room[2 * CAGD_MOST_INDICES];
+    const struct cagd_bound *outside = r->bound;
+    bind_letters(r, name, room);
+    int is_list = cagd_read_list(r, name->head, &list);
+    r->bound = outside;
+    if (is_list < 0)
         return 0;
-    if (steps_of_one(low)) { /* i = 0(1)n */
-        r->token = low + STEPS;
-        v.low = lowest(r, low);
-        v.high = cagd_read_sum(r);
-        return v.low != NULL && v.high != NULL && declare(r, scope, name, v);
-    }
-    int has_dots = dots(r, &v.high);
-    if (has_dots < 0)
-        return 0;
-    if (!has_dots)
-        v.high = listed(r, v.low);
-    if (has_dots || v.high != NULL)
+    take_list(&v, &list);
+    if (is_list)
         return declare(r, scope, name, v);
+    for (const cagd_definition *same = scope->definitions; same != NULL; same = same->next)
+        if (strcmp(same->left->head, name->head) == 0 && same->body != NULL && same->body->from == v.low->from &&
+            same->left->from == name->from && same->left->to == name->to)
+            return 1; /* it was read before what stands before it */
+    if (cagd_refuse_values(r, name->head))
+        return 0;
+    if (name->count > 0 && name->arguments == 0 && cagd_tree_has(v.low, name->head))
+        return suppose_for_every(r, scope, name, v.low);
     if (!is_left_side(r, name, 0))
         return 0;
     cagd_definition *d = cagd_define(scope, name);
     if (d != NULL)
-        d->body = v.low;
+        d->body = v.low, d->dimension = v.low->dimension, d->when = within_ranges(r, before, name);
     return d != NULL;
+}
+
+/* The end of what comes next, if it is a range of an index, j = 0, 1, \dots, i - 1, or a chain with a name without indices in it, u_i \le u < u_{i+1}: both may have
+ * letters whose ranges stand ahead.  Otherwise its beginning. */
+static const cagd_token *end_of_item(cagd_reader *r)
+{
+    struct place start = here(r);
+    struct cagd_bound room[CAGD_MOST_CHILDREN];
+    const struct cagd_bound *outside = r->bound;
+    cagd_list list;
+    const cagd_token *end = start.token;
+    cagd_relation relation;
+    int used, depth = 0, alone = 0;
+    used = bind_ranges_ahead(r, room);
+    if (used > 0 && cagd_read_index_range(r, &list)) {
+        end = r->token;
+    } else if (used > 0 && !cagd_begins_range(start.token)) {
+        for (int begins = 1; r->token->kind != CAGD_TOKEN_END; r->token++) {
+            const cagd_token *t = r->token;
+            depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+            if (depth == 0 && strchr(",;", t->word[0]) != NULL)
+                break;
+            cagd_reader behind = *r;
+            behind.token = t + 1;
+            alone |= begins && depth == 0 && t->kind == CAGD_TOKEN_LETTER &&
+                     (cagd_relation_next(&behind, &relation) || strchr(",;", t[1].word[0]) != NULL);
+            begins = depth == 0 && cagd_relation_next(r, &relation);
+        }
+        end = alone ? r->token : start.token;
+    }
+    r->bound = outside;
+    back(r, start);
+    return end;
+}
+
+static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, cagd_reading_error *listed);
+
+/* Letters of the range or chain that comes next, whose own ranges stand behind it, j = 0, 1, \dots, i - 1, i = 1, 2, \dots, n: these are read before it. */
+static void declare_ahead(cagd_reader *r, cagd_scope *scope, const cagd_scope *before, int depth)
+{
+    struct place start = here(r);
+    const cagd_token *end = depth < CAGD_MOST_INDICES ? end_of_item(r) : start.token;
+    for (const cagd_token *t = start.token; t < end; t++) {
+        const cagd_token *ahead =
+            t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) ? range_ahead(r, t->word) : NULL;
+        if (ahead == NULL || ahead < end)
+            continue;
+        cagd_scope as_it_was = *scope;
+        cagd_reading_error listed;
+        r->token = ahead;
+        declare_ahead(r, scope, before, depth + 1);
+        if ((strcmp(ahead[1].word, "\\in") == 0 ? elements(r, scope, before, &listed) : numbers(r, scope, before)) <= 0)
+            *scope = as_it_was;
+        back(r, start);
+    }
 }
 
 struct piece {
@@ -682,8 +880,9 @@ static const cagd_tree *letter_without_meaning(const cagd_reader *r, const cagd_
 }
 
 /* u_i \le u_{i+1}, the letter i meaning nothing: for every index. */
-static const cagd_tree *for_every_index(cagd_reader *r, const cagd_tree *t)
+static const cagd_tree *for_every_index(cagd_reader *r, const cagd_scope *before, const cagd_tree *t)
 {
+    cagd_list list;
     const cagd_tree *letter = letter_without_meaning(r, t, NULL, 0);
     const cagd_tree *other = letter != NULL ? letter_without_meaning(r, t, letter->head, 0) : NULL;
     if (letter == NULL)
@@ -691,6 +890,12 @@ static const cagd_tree *for_every_index(cagd_reader *r, const cagd_tree *t)
     if (other != NULL)
         return cagd_refuse_tree(r, other, "a condition for every index has one letter: %s or %s", letter->head,
                                 other->head);
+    if (range_in_list(r, before, letter->head, &list)) {
+        cagd_tree *all = (cagd_tree *)cagd_over_list(r, CAGD_FOR_ALL, t->from, letter->head, &list, t);
+        if (all != NULL)
+            all->to = t->to;
+        return all;
+    }
     cagd_tree *every = cagd_new(r, CAGD_EVERY_INDEX, t->from, 1);
     if (every != NULL)
         every->head = letter->head, every->at[0] = t, every->to = t->to;
@@ -743,6 +948,42 @@ static int is_each(const cagd_scope *scope, const cagd_tree *name)
     return 1;
 }
 
+static int is_whole_number(const cagd_tree *t) { return t->kind == CAGD_NUMBER && cagd_is_whole_q(t->number); }
+
+/* Bounds of a_j for j = 1, 2 are not those of a_3. */
+static int restrict_bounds(cagd_reader *r, const cagd_scope *before, cagd_variable *v)
+{
+    const cagd_tree *left = v->left;
+    cagd_list list;
+    v->some = left->lower == 1 && left->upper == 0 && left->at[0]->kind == CAGD_NAME && left->at[0]->count == 0 &&
+              range_in_list(r, before, left->at[0]->head, &list);
+    if (v->some && (list.count > 0 || list.step > 1))
+        return cagd_refuse_tree(r, left,
+                                "bounds for some indices that are not one behind another: write those of each alone") !=
+               NULL;
+    v->some = v->some && is_whole_number(list.low) && is_whole_number(list.high);
+    if (v->some)
+        v->first = mpz_get_si(mpq_numref(list.low->number.at)), v->last = mpz_get_si(mpq_numref(list.high->number.at));
+    return 1;
+}
+
+/* Bounds of \lambda_i may have n, the range of which is told later, behind them or for a statement: a letter that last indices are called, or that
+ * has a range ahead. */
+static void bind_degrees(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDREN])
+{
+    int used = bind_ranges_ahead(r, room), depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END && used < CAGD_MOST_CHILDREN; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 0 && strchr(",;", t->word[0]) != NULL)
+            break;
+        if (t->kind == CAGD_TOKEN_LETTER && t->word[1] == '\0' && strchr("nmNM", t->word[0]) != NULL &&
+            !cagd_is_known(r, t->word)) {
+            room[used] = (struct cagd_bound){t->word, r->bound, 0};
+            r->bound = &room[used++];
+        }
+    }
+}
+
 /* -1 \le \lambda < 1: bounds of the only variable, or else a condition.  What was said before this list of ranges, in `before`, of a
  * variable that is no whole number is replaced; what this list says itself holds as well. */
 static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
@@ -752,7 +993,11 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     int count = 0, alone = 0, whole = 0, which = 0, from = r->token->from, up = 1, down = 1, some_index = 0;
     struct cagd_bound room[2 * CAGD_MOST_INDICES];
     const struct cagd_bound *outside = r->bound;
-    bind_letters(r, name_ahead(r), room);
+    struct cagd_bound degree[CAGD_MOST_CHILDREN];
+    const cagd_tree *name = name_ahead(r);
+    bind_letters(r, name, room);
+    if (name != NULL)
+        bind_degrees(r, degree);
     do {
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "more than %d relations", CAGD_MOST_INDICES - 1) != NULL;
@@ -792,7 +1037,7 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
                                     one->head) != NULL;
         if (v.left != NULL && (v.left->lower != p[which].tree->lower || v.left->upper != p[which].tree->upper))
             return cagd_refuse_tree(r, p[which].tree, "%s had other indices before", p[which].tree->head) != NULL;
-        int replaces = v.head != NULL;
+        int replaces = v.head != NULL && v.step <= 1 && v.listed == NULL;
         for (int k = 0; k < count; k++) {
             if (k == which)
                 continue;
@@ -807,6 +1052,8 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         }
         if (replaces) {
             take_letters(&v, p[which].tree, p, count);
+            if (!restrict_bounds(r, before, &v))
+                return 0;
             return cagd_declare(scope, v);
         }
     }
@@ -814,19 +1061,70 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     for (int k = 0; k < count; k++)
         list[k] = p[k].tree;
     const cagd_tree *t = cagd_relate(r, from, count, list, relation);
-    return t != NULL && (t = for_every_index(r, t)) != NULL && cagd_suppose(scope, t);
+    return t != NULL && (t = for_every_index(r, before, t)) != NULL && cagd_suppose(scope, t);
 }
+
+/* The words before a range, of which "even" and "odd" say something of its letter: -1, 1; else 0. */
+static int pass_words_before(cagd_reader *r)
+{
+    const char *words = "";
+    int parity = 0;
+    do
+        parity = words != NULL && cagd_parity_of_words(words) != 0 ? cagd_parity_of_words(words) : parity;
+    while ((words = cagd_read_words(r)) != NULL || cagd_pass(r, "\\forall"));
+    return parity;
+}
+
+/* That letter, which has its range, is even or odd. */
+struct parity {
+    const cagd_token *letter;
+    int parity, from, to;
+};
+static int suppose_parity(cagd_reader *r, cagd_scope *scope, struct parity p)
+{
+    const cagd_token *here = r->token;
+    r->token = p.letter != NULL ? p.letter : here;
+    cagd_tree *t = (cagd_tree *)cagd_is_of_parity(r, p.parity);
+    if (t == NULL)
+        return 0;
+    r->token = here;
+    t->from = p.from, t->to = p.to;
+    return cagd_suppose(scope, t);
+}
+
+static int ends_range(const cagd_token *t) { return t->kind == CAGD_TOKEN_END || strchr(",;.", t->word[0]) != NULL; }
 
 static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
 {
+    const cagd_token *first = NULL, *last;
+    struct parity said[CAGD_MOST_INDICES];
+    int parities = 0;
     do {
         cagd_reading_error listed = {0};
-        while (cagd_read_words(r) != NULL || cagd_pass(r, "\\forall"))
-            ;
+        int from = r->token->from;
+        int parity = pass_words_before(r), behind = parity != 0 && ends_range(r->token), is_alone;
+        last = first, first = r->token;
+        if (parity == 0 && cagd_next_is_parity(r)) {
+            r->token++;
+            parity = cagd_parity_of_words(cagd_read_words(r));
+            is_alone = 1;
+        } else {
+            is_alone = parity != 0 && first->kind == CAGD_TOKEN_LETTER && ends_range(first + 1);
+            r->token += is_alone;
+        }
+        if (parity != 0) { /* n = 1..8 \text{ even}, n \text{ even}, \text{even } n */
+            if (parities == CAGD_MOST_INDICES)
+                return cagd_refuse_token(r, "more than %d numbers that are even or odd", CAGD_MOST_INDICES) != NULL;
+            said[parities++] = behind ? (struct parity){last, parity, last != NULL ? last->from : from, r->token[-1].to}
+                                      : (struct parity){first, parity, from, is_alone ? r->token[-1].to : first->to};
+            if (behind || is_alone)
+                continue;
+        }
         cagd_share_value(r);
-        int done = elements(r, scope, &listed);
+        declare_ahead(r, scope, before, 0);
+        int done = elements(r, scope, before, &listed);
         if (done < 0)
-            done = numbers(r, scope);
+            done = numbers(r, scope, before);
         if (done < 0)
             done = cagd_share_bounds(r) && chain(r, scope, before);
         if (!done && listed.from > r->error->from)
@@ -834,6 +1132,9 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         if (!done)
             return 0;
     } while (cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_next_is(r, "\\text"));
+    for (int k = 0; k < parities; k++)
+        if (!suppose_parity(r, scope, said[k]))
+            return 0;
     return 1;
 }
 

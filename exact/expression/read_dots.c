@@ -94,6 +94,22 @@ static int is_constant(const struct linear *form, long *value)
     return 1;
 }
 
+int cagd_difference_is_number(const cagd_tree *a, const cagd_tree *b, long *number)
+{
+    struct linear form;
+    return difference(&form, a, b) && is_constant(&form, number);
+}
+
+int cagd_difference_is_multiple(const cagd_tree *a, const cagd_tree *b, long number)
+{
+    struct linear form;
+    int is = difference(&form, a, b) && cagd_is_whole_q(div_q(form.constant, from_int_q(number)));
+    for (int k = 0; is && k < form.count; k++)
+        is = cagd_is_whole_q(div_q(form.coefficient[k], from_int_q(number))) &&
+             (cagd_is_zero_q(form.coefficient[k]) || (form.atom[k]->kind == CAGD_NAME && form.atom[k]->count == 0));
+    return is;
+}
+
 /* No coefficient above 0, and one below: the form is negative where its atoms are large. */
 static int points_down(const struct linear *form)
 {

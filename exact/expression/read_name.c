@@ -202,7 +202,10 @@ static int known_upper(const cagd_reader *r, const char *head)
 
 static int known_arguments(const cagd_reader *r, const char *head)
 {
-    const cagd_definition *d = cagd_is_bound(r, head) ? NULL : cagd_defined(r->scope, head);
+    for (const struct cagd_bound *b = r->bound; b != NULL; b = b->next)
+        if (strcmp(b->head, head) == 0)
+            return b->arity;
+    const cagd_definition *d = cagd_defined(r->scope, head);
     return d != NULL ? d->left->arguments : 0;
 }
 
@@ -369,7 +372,9 @@ static int arguments(cagd_reader *r, struct parts *p, int most)
         p->before_semicolon = p->arguments;
     if (!cagd_expect(r, ")", "the arguments"))
         return 0;
-    const cagd_definition *d = most > 0 ? cagd_defined(r->scope, p->head) : NULL;
+    const cagd_definition *d = most > 0 && !cagd_is_bound(r, p->head) ? cagd_defined(r->scope, p->head) : NULL;
+    if (d == NULL && most > 0 && p->arguments < most)
+        return cagd_refuse_token(r, "%s has %d arguments", cagd_spelled(p->head), most) != NULL;
     if (d == NULL || p->arguments >= d->left->before_semicolon)
         return 1;
     r->token = first;
@@ -425,9 +430,50 @@ static int is_one_of_words(const char *word, const char *const list[])
     return 0;
 }
 
+cagd_tree *cagd_complain_of_letter(cagd_reader *r, int from, int to, const char *letter)
+{
+    if (!cagd_is_usual_index(letter))
+        cagd_refuse_reading(r->error, from, to, "%s is not defined", letter);
+    else if (r->defining)
+        cagd_refuse_reading(r->error, from, to,
+                            "%s is not defined; a line '%s \\in \\mathbb{N}' in a let block makes it a whole number",
+                            letter, letter);
+    else
+        cagd_refuse_reading(r->error, from, to,
+                            "%s is not defined; ':for: %s = 1..4' says for which numbers it is meant", letter, letter);
+    return NULL;
+}
+
+/* The name with its indices, letters in the places of numbers: p_{i,k} for p_{3,k}. */
+static const char *spelled_with_indices(const struct parts *p)
+{
+    static const char *const letters[] = {"i", "j", "k", "l"};
+    char text[MOST_HEAD + 40];
+    size_t n = strlen(p->head);
+    int used = snprintf(text, sizeof text, "%s%s", p->head, p->lower > 1 ? "{" : "");
+    if (n == 0 || p->head[n - 1] != '_')
+        return cagd_spelled(p->head);
+    for (int k = 0; k < p->lower && used < (int)sizeof text; k++) {
+        const cagd_tree *t = p->of_lower[k];
+        int is_letter = t->kind == CAGD_NAME && t->count == 0;
+        used += snprintf(text + used, sizeof text - (size_t)used, "%s%s", k > 0 ? "," : "",
+                         is_letter ? t->head : letters[k]);
+    }
+    if (used < (int)sizeof text)
+        used += snprintf(text + used, sizeof text - (size_t)used, "%s", p->lower > 1 ? "}" : "");
+    const char *kept = used < (int)sizeof text ? cagd_text_of(text, used) : NULL;
+    return kept != NULL ? kept : cagd_spelled(p->head);
+}
+
 static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const struct parts *p)
 {
-    const char *near = cagd_nearest(r->scope, p->head), *name = cagd_spelled(p->head), *word = word_at(r, from);
+    const char *near = cagd_nearest(r->scope, p->head), *name = spelled_with_indices(p), *word = word_at(r, from);
+    if (strcmp(p->head, "\\delta_") == 0 && p->lower + p->upper + (p->lower == 1 && p->power != NULL) == 2)
+        return cagd_refuse_reading(
+                   r->error, from, r->token[-1].to,
+                   "\\delta_{ij} is not defined; in a let block ':use: kronecker \\delta_{ij}' makes it 1 for "
+                   "i = j and else 0"),
+               NULL;
     if (word != NULL && is_one_of_words(word, said_words))
         return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; words stand in \\text{%s}",
                                    name, word),
@@ -435,6 +481,8 @@ static const cagd_tree *complain_of_unknown(cagd_reader *r, int from, const stru
     if (word != NULL && is_one_of_words(word, commands))
         return cagd_refuse_reading(r->error, from, r->token[-1].to, "%s is not defined; or is it \\%s?", name, word),
                NULL;
+    if (near == NULL && cagd_is_usual_index(p->head))
+        return cagd_complain_of_letter(r, from, r->token[-1].to, p->head);
     cagd_refuse_reading(r->error, from, r->token[-1].to,
                         "%s is not defined%s%s%s; a line '%s \\in \\mathbb{R}' in a let "
                         "block makes it a variable",
@@ -469,6 +517,57 @@ static const cagd_tree *pi(cagd_reader *r, int from, const cagd_tree *power)
     return power == NULL ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
 }
 
+int cagd_is_of_whole_numbers(const cagd_reader *r, const cagd_tree *t, int *has_name)
+{
+    if (t->kind == CAGD_NUMBER)
+        return cagd_is_whole_q(t->number);
+    if (t->kind == CAGD_NAME) {
+        const cagd_variable *v = cagd_is_bound(r, t->head) ? NULL : cagd_declared(r->scope, t->head);
+        *has_name = 1;
+        return t->count == 0 && (v != NULL ? v->whole : cagd_is_bound(r, t->head) && cagd_is_usual_index(t->head));
+    }
+    if (t->kind != CAGD_SUM && t->kind != CAGD_NEGATIVE && t->kind != CAGD_PRODUCT)
+        return 0;
+    for (int k = 0; k < t->count; k++)
+        if (!cagd_is_of_whole_numbers(r, t->at[k], has_name))
+            return 0;
+    return 1;
+}
+
+/* Whether TeX makes a space before the next token, as between factors. */
+static int is_spaced(const cagd_reader *r)
+{
+    for (int k = r->token[-1].to; k < r->token->from; k++)
+        if (r->text[k] == '~' || (r->text[k] == '\\' && strchr(",;: q", r->text[k + 1]) != NULL))
+            return 1;
+    return 0;
+}
+
+/* Whether the bracket that comes next has in it what no product needs a bracket for, a name, a number, a fraction, or a list: f(t), f(0), f(s,t).  Behind
+ * a name with an index, or that of a matrix, a list is a point: \omega_i (x_i, y_i). */
+static int bracket_is_of_arguments(const cagd_reader *r, int may_be_point)
+{
+    cagd_reader at = *r;
+    cagd_reading_error none = {0};
+    int depth = 0;
+    for (const cagd_token *t = r->token; t->kind != CAGD_TOKEN_END; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        if (depth == 1 && (t->word[0] == ',' || t->word[0] == ';'))
+            return !may_be_point || t->word[0] == ';';
+        if (depth == 0)
+            break;
+    }
+    at.error = &none, at.looking = 1, at.token++;
+    int minus = cagd_pass(&at, "-");
+    const cagd_tree *t = cagd_read_factor(&at);
+    if (t == NULL || !cagd_next_is(&at, ")"))
+        return 0;
+    int has_power = strcmp(at.token[1].word, "^") == 0; /* (-1)^n, (\frac{a}{b})^2 */
+    const cagd_tree *name = t->kind == CAGD_POWER ? t->at[0] : t;
+    return (name->kind == CAGD_NAME || t->kind == CAGD_NUMBER || t->kind == CAGD_QUOTIENT) &&
+           !(has_power && (minus || t->kind == CAGD_QUOTIENT));
+}
+
 const cagd_tree *cagd_read_name(cagd_reader *r)
 {
     struct parts p = {0};
@@ -495,6 +594,16 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
         return NULL;
     if (braces && !cagd_expect(r, "}", "the arguments"))
         return NULL;
+    cagd_reader behind_brace = *r;
+    behind_brace.token += cagd_next_is(r, "{") && strcmp(r->token[1].word, "(") == 0; /* f{(0)}, printed as f(0) */
+    if (most == 0 && is_known && !r->declaring && !r->looking && cagd_next_is(&behind_brace, "(") && !is_spaced(r) &&
+        bracket_is_of_arguments(&behind_brace,
+                                p.lower + p.upper > 0 || cagd_is_matrix(cagd_dimension_of(r->scope, p.head))))
+        return cagd_refuse_token(
+            r,
+            "a value of %s, which was not defined with arguments, or a product? define %s, or write "
+            "\\cdot before the bracket",
+            cagd_spelled(p.head), cagd_spelled(p.head));
     cagd_tree *t = cagd_new(r, CAGD_NAME, from, p.lower + p.upper + p.arguments);
     if (t == NULL)
         return NULL;
@@ -513,9 +622,11 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
             return cagd_refuse_tree(r, t->at[k], "a vector is no index and no argument");
     if (p.transposed)
         return cagd_transposed(r, t);
-    if (p.power == NULL)
-        return t;
-    return cagd_power_of(r, t, p.power, from);
+    const cagd_definition *d = r->declaring || cagd_is_bound(r, p.head) ? NULL : cagd_defined(r->scope, p.head);
+    const cagd_tree *value = d != NULL && d->functions != 0 ? cagd_put_in_functional(r, d, t) : t;
+    if (p.power == NULL || value == NULL)
+        return value;
+    return cagd_power_of(r, value, p.power, from);
 }
 
 const cagd_tree *cagd_read_primed_group(cagd_reader *r, const cagd_tree *t)

@@ -236,7 +236,7 @@ struct range {
 static void bind_all(cagd_reader *r, struct range *a)
 {
     for (int k = 0; k < a->count; k++) {
-        a->bound[k] = (struct cagd_bound){a->head[k], r->bound};
+        a->bound[k] = (struct cagd_bound){a->head[k], r->bound, 0};
         r->bound = &a->bound[k];
     }
 }
@@ -264,18 +264,19 @@ static int from_one_end(cagd_reader *r, struct range *a)
     while (cagd_pass(r, ","));
     if (!cagd_expect(r, "=", "the index"))
         return 0;
-    r->ends++;
-    const cagd_tree *low = cagd_read_sum(r);
-    r->ends--;
+    cagd_list list;
+    int is_list = cagd_read_list(r, a->head[0], &list);
     for (int k = 0; k < a->count; k++)
-        a->low[k] = low;
-    if (low == NULL || !cagd_next_is(r, ",") || strcmp(r->token[1].word, "\\dots") != 0)
-        return low != NULL;
-    r->token += 2; /* i = 0, \dots, n */
-    if (!cagd_expect(r, ",", "\\dots"))
-        return 0;
-    a->end = cagd_read_sum(r);
-    return a->end != NULL;
+        a->low[k] = list.low;
+    if (is_list > 0 && (list.count > 0 || list.step > 1))
+        return cagd_refuse_tree(r, list.high,
+                                "the index of a sum or product runs through all whole numbers between its ends: write "
+                                "k = 0, and what stands for %s by k",
+                                a->head[0]) != NULL;
+    if (is_list > 0 && list.high == NULL)
+        return cagd_refuse_tree(r, list.low, "a sum or product without an end") != NULL;
+    a->end = is_list > 0 ? list.high : NULL;
+    return is_list >= 0;
 }
 
 /* The next token is < or \le, and is passed; whether it is <. */
@@ -511,7 +512,7 @@ const cagd_tree *cagd_read_integral(cagd_reader *r, int from)
     }
     if (end->kind == CAGD_TOKEN_END)
         return cagd_refuse_token(r, "by what is the integral? expected d and a letter at its end");
-    struct cagd_bound bound = {end[cagd_differential(r, end)].word, r->bound};
+    struct cagd_bound bound = {end[cagd_differential(r, end)].word, r->bound, 0};
     r->bound = &bound;
     r->integrals++;
     const cagd_tree *body =

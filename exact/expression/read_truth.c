@@ -4,6 +4,7 @@
  *     A \Rightarrow B      A \iff B      B \text{ if } A      A \lor B      \neg (A)
  *
  * A comma between conditions is "and", and binds closer than these. */
+#include "exact/expression/bounds.h"
 #include "exact/expression/reader.h"
 #include "exact/words.h"
 
@@ -61,7 +62,11 @@ const cagd_tree *cagd_read_condition(cagd_reader *r)
         return cagd_read_truth(r);
     if (cagd_next_is_member(r))
         return cagd_read_members(r);
-    const cagd_tree *t = cagd_read_relations(r);
+    if (cagd_next_is_parity(r))
+        return cagd_read_parity(r);
+    const cagd_tree *t = r->lists > 0 ? cagd_read_list_condition(r) : NULL;
+    if (t == NULL && r->error->message[0] == '\0')
+        t = cagd_read_relations(r);
     if (t != NULL || strcmp(here->word, "(") != 0)
         return t;
     cagd_reading_error first = *r->error; /* a truth in brackets, or what was wrong at first */
@@ -96,38 +101,50 @@ const cagd_tree *cagd_read_alternatives(cagd_reader *r)
     return cagd_new_of(r, CAGD_ANY, from, count, list);
 }
 
-/* Behind the letter of a quantifier: \in \{low, \dots, high\}, = low..high. */
-static int finite_range(cagd_reader *r, const cagd_tree **low, const cagd_tree **high)
+/* Behind the letter of a quantifier: \in \{low, \dots, high\}, = low..high, \in \{0, 2, 4\}. */
+static int finite_range(cagd_reader *r, const char *letter, cagd_list *list)
 {
     int braces = 0;
     if (cagd_pass(r, "\\in"))
         braces = cagd_expect(r, "\\{", "\\in") ? 1 : -1;
     else if (!cagd_expect(r, "=", "the letter of a quantifier"))
         braces = -1;
-    r->ends++;
-    *low = braces >= 0 ? cagd_read_sum(r) : NULL;
-    r->ends--;
-    if (*low == NULL)
-        return 0;
-    *high = *low;
-    while (cagd_pass(r, ",") && !cagd_next_is(r, "\\dots")) { /* 0, 1, \dots, n, or 0, 1, 2 */
-        const cagd_tree *before = *high;
-        *high = cagd_read_sum(r);
-        if (*high == NULL)
-            return 0;
-        if (before->kind != CAGD_NUMBER || (*high)->kind != CAGD_NUMBER ||
-            !cagd_equal_q((*high)->number, add_q(before->number, from_int_q(1))))
-            before = NULL;
-        if (before == NULL && !cagd_next_is(r, ","))
-            return cagd_refuse_tree(r, *high, "expected whole numbers one behind another, such as 0, 1, 2") != NULL;
+    int is_list = braces >= 0 ? cagd_read_list(r, letter, list) : -1;
+    if (is_list == 0 && !braces)
+        return cagd_expect(r, "\\dots", "the first number");
+    if (is_list == 0)
+        list->high = list->low;
+    if (is_list > 0 && list->high == NULL)
+        return cagd_refuse_tree(r, list->low, "a quantifier goes over finitely many whole numbers") != NULL;
+    return is_list >= 0 && (!braces || cagd_expect(r, "\\}", "the last number"));
+}
+
+const cagd_tree *cagd_over_list(cagd_reader *r, cagd_tree_kind kind, int from, const char *letter,
+                                const cagd_list *list, const cagd_tree *body)
+{
+    const cagd_tree *one[CAGD_MOST_CHILDREN], *low = list->low, *high = list->high;
+    for (int k = 0; k < list->count; k++)
+        one[k] = cagd_tree_with(body, letter, list->listed[k]);
+    if (list->count > 0)
+        return cagd_new_of(r, kind == CAGD_FOR_ALL ? CAGD_ALL : CAGD_ANY, from, list->count, one);
+    if (list->step > 1) { /* low + step * k for k = 0, ..., (high - low)/step, the letter being k */
+        cagd_tree *k = cagd_new(r, CAGD_NAME, from, 0);
+        const cagd_tree *step = cagd_tree_number(list->step, from, low->to),
+                        *minus = cagd_new_of(r, CAGD_NEGATIVE, from, 1, &low);
+        if (k == NULL)
+            return NULL;
+        k->head = letter;
+        const cagd_tree *steps = cagd_new_of(r, CAGD_PRODUCT, from, 2, (const cagd_tree *[]){step, k});
+        const cagd_tree *member = cagd_new_of(r, CAGD_SUM, from, 2, (const cagd_tree *[]){low, steps});
+        const cagd_tree *length = cagd_new_of(r, CAGD_SUM, from, 2, (const cagd_tree *[]){high, minus});
+        body = member != NULL ? cagd_tree_with(body, letter, member) : NULL;
+        low = cagd_tree_number(0, from, low->to);
+        high = cagd_new_of(r, CAGD_QUOTIENT, from, 2, (const cagd_tree *[]){length, step});
     }
-    if (braces ? cagd_pass(r, "\\}") : *high != *low && cagd_next_is(r, ":"))
-        return 1;
-    if (!cagd_expect(r, "\\dots", "the first number"))
-        return 0;
-    cagd_pass(r, ",");
-    *high = cagd_read_sum(r);
-    return *high != NULL && (!braces || cagd_expect(r, "\\}", "the last number"));
+    cagd_tree *t = cagd_new_of(r, kind, from, 3, (const cagd_tree *[]){low, high, body});
+    if (t != NULL)
+        t->head = letter;
+    return t;
 }
 
 /* Whether names and an interval come next, t \in [0,1]. */
@@ -143,7 +160,7 @@ static const cagd_tree *quantified(cagd_reader *r)
 {
     int from = r->token->from;
     cagd_tree_kind kind = cagd_next_is(r, "\\forall") ? CAGD_FOR_ALL : CAGD_EXISTS;
-    const cagd_tree *low, *high;
+    cagd_list list;
     r->token++;
     if (++r->depth > CAGD_MOST_DEPTH)
         return cagd_refuse_token(r, "more than %d levels of brackets", CAGD_MOST_DEPTH);
@@ -158,21 +175,16 @@ static const cagd_tree *quantified(cagd_reader *r)
     if (r->token->kind != CAGD_TOKEN_LETTER)
         return cagd_refuse_token(r, "expected a letter, not %s", cagd_name_of_next(r));
     const char *head = (r->token++)->word;
-    if (!finite_range(r, &low, &high))
+    if (!finite_range(r, head, &list))
         return NULL;
     if (!cagd_pass(r, ":") && !cagd_pass(r, ","))
         cagd_pass(r, ";");
-    struct cagd_bound bound = {head, r->bound};
+    struct cagd_bound bound = {head, r->bound, 0};
     r->bound = &bound;
     const cagd_tree *body = cagd_read_truth(r);
     r->bound = bound.next;
     r->depth--;
-    if (body == NULL)
-        return NULL;
-    cagd_tree *t = cagd_new_of(r, kind, from, 3, (const cagd_tree *[]){low, high, body});
-    if (t != NULL)
-        t->head = head;
-    return t;
+    return body != NULL ? cagd_over_list(r, kind, from, head, &list, body) : NULL;
 }
 
 /* \mathbb{R}, passed. */
@@ -318,6 +330,7 @@ const cagd_tree *cagd_read_members(cagd_reader *r)
     cagd_relation relation[2];
     int from = r->token->from, count = 0, names, bracket;
     do {
+        int begin = r->token->from;
         if (!read_names(r, name, &names, &bracket))
             return NULL;
         int outside = cagd_pass(r, "\\notin");
@@ -333,9 +346,9 @@ const cagd_tree *cagd_read_members(cagd_reader *r)
                 return NULL;
             if (count == CAGD_MOST_CHILDREN)
                 return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
-            list[count] = between(r, from, end, name[k], relation);
+            list[count] = between(r, begin, end, name[k], relation);
             if (outside)
-                list[count] = cagd_new_of(r, CAGD_NOT, from, 1, &list[count]);
+                list[count] = cagd_new_of(r, CAGD_NOT, begin, 1, &list[count]);
             if (list[count++] == NULL)
                 return NULL;
         }
@@ -343,32 +356,336 @@ const cagd_tree *cagd_read_members(cagd_reader *r)
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
 }
 
-/* What follows is what is supposed: "if", \forall of names that have a meaning, a bracket with a relation in it, names and \in. */
-static int pass_supposed(cagd_reader *r)
+/* Whether "for even", "for all odd" and the like come next, with a letter behind them. */
+static int even_or_odd_follows(cagd_reader *r, const char *const words[])
 {
-    static const char *const words[] = {"if",         "when",     "whenever",      "for",      "for all", "for every",
-                                        "for any",    "for each", "provided that", "provided", "where",   "with",
-                                        "as long as", NULL};
+    const cagd_token *here = r->token;
+    const char *said = cagd_read_words(r);
+    int is = said != NULL && cagd_parity_of_words(said) != 0 && r->token->kind == CAGD_TOKEN_LETTER,
+        n = is ? (int)strlen(said) : 0;
+    while (n > 0 && said[n - 1] != ' ')
+        n--;
+    const char *before = is ? cagd_text_of(said, n > 0 ? n - 1 : 0) : NULL;
+    int is_known = before != NULL && before[0] == '\0';
+    for (int k = 0; before != NULL && words[k] != NULL; k++)
+        is_known |= is_said(before, words[k]);
+    r->token = here;
+    return is_known;
+}
+
+/* ---- ranges of what is supposed ------------------------------------------------------------------------ */
+
+/* Ranges of indices in what is supposed, "if a_j = 0 for j = 1, 2": it is supposed for all of them. */
+struct own_ranges {
+    struct cagd_bound letter[CAGD_MOST_INDICES];
+    cagd_list list[CAGD_MOST_INDICES];
+    int count;
+};
+
+/* The token that ends what is supposed and begins at r->token. */
+static const cagd_token *end_of_supposed(const cagd_reader *r)
+{
+    static const char *const ends[] = {"then", "implies",      "implies that",     "if and only if",
+                                       "iff",  "exactly when", "is equivalent to", "if",
+                                       "when", "whenever"};
+    cagd_reader at = *r;
+    while (at.token->kind != CAGD_TOKEN_END) {
+        const cagd_token *here = at.token;
+        const char *said = cagd_read_words(&at);
+        for (size_t k = 0; said != NULL && here > r->token && k < sizeof ends / sizeof *ends; k++)
+            if (is_said(said, ends[k]))
+                return here;
+        if (said == NULL &&
+            (cagd_next_is(&at, "\\Rightarrow") || cagd_next_is(&at, "\\Leftarrow") || cagd_next_is(&at, "\\iff") ||
+             cagd_next_is(&at, "\\forall") || cagd_next_is(&at, "\\exists")))
+            return here;
+        at.token += said == NULL;
+    }
+    return at.token;
+}
+
+/* Where what stands before the range at t begins, a comma, words, a bracket or a wide space, and *close, whether a bracket has to end behind it; NULL
+ * where a range cannot begin. */
+static const cagd_token *before_range(const cagd_reader *r, const cagd_token *first, const cagd_token *t, int *close)
+{
+    *close = 0;
+    if (t == first)
+        return t;
+    if (strchr(",;", t[-1].word[0]) != NULL)
+        return t - 1;
+    if (strcmp(t[-1].word, "(") == 0) {
+        *close = 1, t--;
+        return t > first && strchr(",;", t[-1].word[0]) != NULL ? t - 1 : t;
+    }
+    if (strcmp(t[-1].word, "}") == 0) { /* \text{ for } */
+        static const char *const words[] = {"for",  "for all", "for each", "for every", "for any",    "where",
+                                            "with", "and",     "and for",  "and all",   "and for all"};
+        cagd_reader at = *r;
+        for (at.token = t - 1; at.token > first && at.token[0].word[0] != '\\'; at.token--)
+            ;
+        const cagd_token *begin = at.token;
+        const char *said = cagd_read_words(&at);
+        for (size_t k = 0; said != NULL && at.token == t && k < sizeof words / sizeof *words; k++)
+            if (is_said(said, words[k]))
+                return begin > first && strchr(",;", begin[-1].word[0]) != NULL ? begin - 1 : begin;
+    }
+    int at = t->from;
+    while (at > 0 && r->text[at - 1] == ' ')
+        at--;
+    return at >= 4 && memcmp(r->text + at - 4, "quad", 4) == 0 ? t : NULL;
+}
+
+/* Whether the letter stands from `first` to `end`, but not from `low` to `high`. */
+static int is_besides(const char *letter, const cagd_token *first, const cagd_token *end, const cagd_token *low,
+                      const cagd_token *high)
+{
+    for (const cagd_token *t = first; t < end; t++)
+        if ((t < low || t >= high) && t->kind == CAGD_TOKEN_LETTER && strcmp(t->word, letter) == 0)
+            return 1;
+    return 0;
+}
+
+/* The tokens without those from `from` to `to`, r->token being the first. */
+static const cagd_token *without(cagd_reader *r, const cagd_token *from, const cagd_token *to)
+{
+    const cagd_token *end = to;
+    while (end->kind != CAGD_TOKEN_END)
+        end++;
+    long before = from - r->token, behind = end - to + 1;
+    cagd_token *list = cagd_region_array((int)(before + behind), 1, sizeof *list);
+    if (list == NULL)
+        return NULL;
+    for (long k = 0; k < before + behind; k++)
+        list[k] = k < before ? r->token[k] : to[k - before];
+    return list;
+}
+
+/* The first range of an index that stands in what is supposed, from `low` to `high`, and is about another part of it; its letter means nothing else, or, with
+ * `known`, is a whole number that was declared.  NULL where there is none. */
+static const cagd_token *range_within(cagd_reader *r, int known, cagd_list *list, const cagd_token **from,
+                                      const cagd_token **to)
+{
+    const cagd_token *first = r->token, *last = end_of_supposed(r);
+    for (const cagd_token *t = first; t < last; t++) {
+        int close;
+        const cagd_variable *v = t->kind == CAGD_TOKEN_LETTER ? cagd_declared(r->scope, t->word) : NULL;
+        if (!cagd_begins_range(t) || (cagd_is_known(r, t->word) && !(known && v != NULL && v->whole)) ||
+            (*from = before_range(r, first, t, &close)) == NULL)
+            continue;
+        struct cagd_bound room[CAGD_MOST_INDICES];
+        const struct cagd_bound *outside = r->bound;
+        int used = 0;
+        for (const cagd_token *m = first; m < last && used < CAGD_MOST_INDICES; m++) /* they may have one another */
+            if (m != t && cagd_begins_range(m) && !cagd_is_known(r, m->word)) {
+                room[used] = (struct cagd_bound){m->word, r->bound, 0};
+                r->bound = &room[used++];
+            }
+        r->token = t;
+        int is = cagd_read_index_range(r, list);
+        *to = r->token;
+        r->token = first, r->bound = outside;
+        if (!is || (close && strcmp((*to)->word, ")") != 0))
+            continue;
+        *to += close;
+        if (*from == first && strchr(",;", (*to)->word[0]) != NULL && (*to)->kind != CAGD_TOKEN_END)
+            ++*to;
+        if (v != NULL || is_besides(t->word, first, last, *from, *to))
+            return t;
+    }
+    return NULL;
+}
+
+/* Takes the ranges out of what is supposed and comes next; their letters are known from here on. */
+static int take_ranges(cagd_reader *r, int known, struct own_ranges *own)
+{
+    cagd_list range;
+    const cagd_token *from, *to, *t;
+    own->count = 0;
+    while (own->count < CAGD_MOST_INDICES && (t = range_within(r, known, &range, &from, &to)) != NULL) {
+        const cagd_variable *v = cagd_declared(r->scope, t->word);
+        const cagd_token *list = without(r, from, to);
+        if (list == NULL)
+            return 0;
+        r->token = list;
+        if (v != NULL && v->whole)
+            continue;
+        own->letter[own->count] = (struct cagd_bound){t->word, r->bound, 0};
+        own->list[own->count] = range;
+        r->bound = &own->letter[own->count++];
+    }
+    return 1;
+}
+
+enum { MOST_WRITTEN_OUT = 12 };
+
+/* t for all numbers of the range; where its ends are numbers, not many, one behind another. */
+static const cagd_tree *for_all_of(cagd_reader *r, const cagd_tree *t, const char *letter, const cagd_list *range)
+{
+    const cagd_tree *list[MOST_WRITTEN_OUT], *low = range->low, *high = range->high;
+    if (range->count == 0 && range->step == 1 && low->kind == CAGD_NUMBER && high->kind == CAGD_NUMBER &&
+        cagd_is_whole_q(low->number) && cagd_is_whole_q(high->number)) {
+        long first = mpz_get_si(mpq_numref(low->number.at)), last = mpz_get_si(mpq_numref(high->number.at));
+        if (first <= last && last - first < MOST_WRITTEN_OUT) {
+            for (long k = first; k <= last; k++)
+                list[k - first] = cagd_tree_with(t, letter, cagd_tree_number(k, low->from, low->to));
+            return first == last ? list[0] : cagd_new_of(r, CAGD_ALL, t->from, (int)(last - first) + 1, list);
+        }
+    }
+    return cagd_over_list(r, CAGD_FOR_ALL, t->from, letter, range, t);
+}
+
+/* What was supposed, for all of its own ranges: each of its parts for those whose letters it has, the ends of which may have other letters. */
+static const cagd_tree *for_own_ranges(cagd_reader *r, const cagd_tree *t, const struct own_ranges *own)
+{
+    if (t == NULL || own->count == 0)
+        return t;
+    if (t->kind == CAGD_ALL) {
+        const cagd_tree *list[CAGD_MOST_CHILDREN];
+        int count = 0;
+        for (int k = 0; k < t->count; k++) {
+            const cagd_tree *one = for_own_ranges(r, t->at[k], own);
+            const cagd_tree *const *parts = one != NULL && one->kind == CAGD_ALL ? one->at : &one;
+            int several = one != NULL && one->kind == CAGD_ALL ? one->count : 1;
+            if (one == NULL || count + several > CAGD_MOST_CHILDREN)
+                return one == NULL ? NULL : cagd_refuse_tree(r, t, "more than %d conditions", CAGD_MOST_CHILDREN);
+            for (int m = 0; m < several; m++)
+                list[count++] = parts[m];
+        }
+        return cagd_new_of(r, CAGD_ALL, t->from, count, list);
+    }
+    int is_done[CAGD_MOST_INDICES] = {0};
+    for (int more = 1;
+         more && t != NULL;) { /* those in the ends of which another letter is stand inside of that one's */
+        more = 0;
+        for (int k = 0; k < own->count && t != NULL; k++) {
+            int waits = is_done[k] || !cagd_tree_has(t, own->letter[k].head);
+            for (int m = 0; m < own->count && !waits; m++)
+                waits = m != k && !is_done[m] && cagd_tree_has(t, own->letter[m].head) &&
+                        (cagd_tree_has(own->list[m].low, own->letter[k].head) ||
+                         cagd_tree_has(own->list[m].high, own->letter[k].head));
+            if (waits)
+                continue;
+            is_done[k] = more = 1;
+            t = for_all_of(r, t, own->letter[k].head, &own->list[k]);
+        }
+    }
+    return t;
+}
+
+/* How what is supposed begins: with "for" and what may be a list of ranges, with "if", or with no word. */
+enum supposing { NOT_SUPPOSED, FOR_RANGES, BY_A_WORD, WITHOUT_WORD };
+
+/* What follows is what is supposed: "if", \forall of names that have a meaning, a bracket with a relation in it, names and \in. */
+static enum supposing pass_supposed(cagd_reader *r)
+{
+    static const char *const ranges[] = {"for", "for all", "for every", "for any", "for each", NULL};
+    static const char *const words[] = {"if",   "when",       "whenever", "provided that", "provided", "where",
+                                        "with", "as long as", NULL};
     const cagd_token *here = r->token;
     cagd_pass(r, ",");
-    if (pass_words(r, words) || cagd_pass(r, "\\forall") || cagd_next_is_member(r) || cagd_is_truth_in_brackets(r))
-        return 1;
+    if (cagd_next_is_parity(r) || even_or_odd_follows(r, ranges) || even_or_odd_follows(r, words))
+        return BY_A_WORD;
+    if (pass_words(r, ranges) || cagd_pass(r, "\\forall"))
+        return FOR_RANGES;
+    if (pass_words(r, words))
+        return BY_A_WORD;
+    if (cagd_next_is_member(r) || cagd_is_truth_in_brackets(r))
+        return WITHOUT_WORD;
     r->token = here;
-    return cagd_pass(r, "\\Leftarrow");
+    return cagd_pass(r, "\\Leftarrow") ? BY_A_WORD : NOT_SUPPOSED;
+}
+
+/* Behind a range, without "if", nobody knows whether another relation is said or supposed; bounds of variables are supposed. */
+static int is_unclear(cagd_reader *r, const cagd_tree *t, int is_first, int behind_range, enum supposing how)
+{
+    int is = !is_first && behind_range && t->kind == CAGD_RELATION && !cagd_is_range_of_name(r->scope, t, NULL) &&
+             (how == WITHOUT_WORD || (how == FOR_RANGES && !cagd_is_of_plain_names(r->scope, t)));
+    return is && cagd_refuse_tree(r, t, CAGD_SAID_OR_SUPPOSED) == NULL;
+}
+
+/* The comma, or "and", behind a part of what is supposed, if another part comes next. */
+static int pass_to_part(cagd_reader *r)
+{
+    static const char *const and[] = {"and", "and all", "and for all", NULL};
+    static const char *const no_part[] = {"\\text", "\\mbox", "\\textrm", "\\Rightarrow", "\\iff", "\\forall", "\\\\",
+                                          "\\end",  ".",      ")"};
+    const cagd_token *here = r->token;
+    int is = cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_pass(r, "\\land") || pass_words(r, and);
+    for (size_t k = 0; k < sizeof no_part / sizeof *no_part && is; k++)
+        is = r->token->kind != CAGD_TOKEN_END && !cagd_next_is(r, no_part[k]);
+    if (!is)
+        r->token = here;
+    return is;
+}
+
+/* What is supposed, parts with commas between, each names and \in, or conditions. */
+static const cagd_tree *parts_supposed(cagd_reader *r, enum supposing how)
+{
+    const cagd_tree *list[CAGD_MOST_CHILDREN];
+    int count = 0, from = r->token->from, behind_range = 0;
+    do {
+        int member = cagd_next_is_member(r);
+        r->premises++;
+        const cagd_tree *t = member ? cagd_read_members(r) : cagd_read_alternatives(r);
+        r->premises--;
+        if (t == NULL)
+            return NULL;
+        const cagd_tree *const *parts = t->kind == CAGD_ALL ? t->at : &t;
+        int several = t->kind == CAGD_ALL ? t->count : 1;
+        if (count + several > CAGD_MOST_CHILDREN)
+            return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
+        for (int k = 0; k < several; k++) {
+            if (!member && is_unclear(r, parts[k], count == 0, behind_range, how))
+                return NULL;
+            behind_range |= member || cagd_is_range_of_name(r->scope, parts[k], NULL);
+            list[count++] = parts[k];
+        }
+    } while (cagd_next_is_member(r) || pass_to_part(r));
+    return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
 }
 
 /* What is supposed, behind what passes it; a round bracket around it is passed. */
-static const cagd_tree *supposed(cagd_reader *r)
+static const cagd_tree *supposed_as_it_stands(cagd_reader *r, enum supposing how)
 {
     const cagd_token *here = r->token;
-    int bracket = cagd_is_truth_in_brackets(r) && cagd_next_is(r, "(");
-    r->token += bracket;
-    if (cagd_next_is_member(r) && bracket) {
-        const cagd_tree *t = cagd_read_members(r);
-        return t != NULL && cagd_expect(r, ")", "the bracket") ? t : NULL;
+    const char *said = cagd_read_words(r);
+    if (said != NULL) { /* for even n, for odd n \ge 3 */
+        cagd_relation relation;
+        int parity = cagd_parity_of_words(said);
+        const cagd_tree *both[2] = {parity != 0 ? cagd_is_of_parity(r, parity) : NULL, NULL};
+        const cagd_token *letter = r->token;
+        if (parity == 0)
+            r->token = here, cagd_refuse_token(r, "'%s' is not understood here", said);
+        if (both[0] == NULL)
+            return NULL;
+        r->token++;
+        if (!cagd_relation_next(r, &relation))
+            return both[0];
+        r->token = letter;
+        both[1] = cagd_read_alternatives(r);
+        return cagd_new_of(r, CAGD_ALL, here->from, 2, both);
     }
-    r->token = here;
-    return cagd_next_is_member(r) ? cagd_read_members(r) : cagd_read_alternatives(r);
+    int depth = r->depth;
+    if (cagd_is_truth_in_brackets(r) && cagd_pass(r, "(")) {
+        const cagd_tree *t = parts_supposed(r, how);
+        if (t != NULL && cagd_pass(r, ")") &&
+            (r->token->kind == CAGD_TOKEN_END || strchr(".,;", r->token->word[0]) != NULL))
+            return t;
+        if (t == NULL && strcmp(r->error->message, CAGD_SAID_OR_SUPPOSED) == 0)
+            return NULL;
+        r->token = here, r->depth = depth;
+        *r->error = (cagd_reading_error){0};
+    }
+    return parts_supposed(r, how);
+}
+
+static const cagd_tree *supposed(cagd_reader *r, enum supposing how)
+{
+    struct own_ranges own;
+    const struct cagd_bound *outside = r->bound;
+    const cagd_tree *t = take_ranges(r, 0, &own) ? for_own_ranges(r, supposed_as_it_stands(r, how), &own) : NULL;
+    r->bound = outside;
+    return t;
 }
 
 /* Dots that leave members of a chain out, between `first` and here: of what is supposed every one is needed. */
@@ -382,16 +699,34 @@ static int refuse_dots(cagd_reader *r, const cagd_token *first)
     return 1;
 }
 
+/* Whether what comes next is supposed, and what is said stands behind it. */
+static int is_supposed_first(const cagd_reader *r)
+{
+    static const char *const words[] = {"then", "implies", "implies that", NULL};
+    cagd_reader at = *r;
+    at.token = end_of_supposed(r);
+    return cagd_next_is(&at, "\\Rightarrow") || pass_words(&at, words);
+}
+
 const cagd_tree *cagd_read_truth(cagd_reader *r)
 {
     static const char *const if_words[] = {"if", "when", "whenever", "suppose", "suppose that", NULL};
     static const char *const then_words[] = {"then", "implies", "implies that", NULL};
     static const char *const iff_words[] = {"if and only if", "iff", "exactly when", "is equivalent to", NULL};
     const cagd_token *first = r->token, *second;
+    enum supposing how = NOT_SUPPOSED;
     int from = first->from, begins_with_if = pass_words(r, if_words);
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return quantified(r);
-    const cagd_tree *a = cagd_read_alternatives(r), *b = a;
+    struct own_ranges own = {.count = 0};
+    const struct cagd_bound *outside = r->bound;
+    int begins = begins_with_if || is_supposed_first(r);
+    if (begins && !take_ranges(r, 0, &own))
+        return NULL;
+    first = r->token;
+    const cagd_tree *a = begins ? for_own_ranges(r, parts_supposed(r, BY_A_WORD), &own) : cagd_read_alternatives(r),
+                    *b = a;
+    r->bound = outside;
     if (a == NULL)
         return NULL;
     second = r->token;
@@ -403,7 +738,7 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     if (begins_with_if && !implies)
         return cagd_refuse_token(r, "expected \\text{then} behind what is supposed, not %s", cagd_name_of_next(r));
     int iff = !implies && (cagd_pass(r, "\\iff") || pass_words(r, iff_words)),
-        implied = !implies && !iff && pass_supposed(r);
+        implied = !implies && !iff && (how = pass_supposed(r)) != NOT_SUPPOSED;
     if (!implies && !iff && !implied)
         return a;
     if (implied && only_names(r))
@@ -412,9 +747,16 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
         return NULL;
     second = r->token;
     b = implies                  ? cagd_read_truth(r)
-        : implied                ? supposed(r)
+        : implied                ? supposed(r, how)
         : cagd_next_is_member(r) ? cagd_read_members(r)
                                  : cagd_read_alternatives(r);
+    for (int k = 0; b == NULL && k < own.count; k++) /* a_j = 0, j = 1, 2 \Rightarrow b_j = 0 */
+        for (const cagd_token *t = second; t->kind != CAGD_TOKEN_END; t++)
+            if (t->from == r->error->from && strcmp(t->word, own.letter[k].head) == 0) {
+                *r->error = (cagd_reading_error){0}, r->token = t;
+                return cagd_refuse_token(
+                    r, "is the range of %s that of what is supposed alone? write it behind all, or in :for:", t->word);
+            }
     if (b == NULL || (!implies && refuse_dots(r, second)))
         return NULL;
     const cagd_tree *pair[2] = {implied ? b : a, implied ? a : b};
@@ -444,4 +786,21 @@ const cagd_tree *cagd_read_for_all_numbers(cagd_reader *r)
         said[count++] = a->at[0], a = a->at[1];
     const cagd_tree *all = count > 1 ? cagd_new_of(r, CAGD_ALL, from, count, said) : said[0];
     return cagd_new_of(r, CAGD_IMPLIES, from, 2, (const cagd_tree *[]){all, a});
+}
+
+const cagd_tree *cagd_read_supposed(const cagd_scope *scope, const char *text, int from, int to,
+                                    cagd_reading_error *error)
+{
+    cagd_reader r;
+    struct own_ranges own;
+    if (!cagd_reader_open(&r, scope, text, from, to, error))
+        return NULL;
+    enum supposing how = pass_supposed(&r);
+    if (!take_ranges(&r, 1, &own) || r.token->kind == CAGD_TOKEN_END)
+        return NULL;
+    const cagd_tree *t = for_own_ranges(&r, supposed_as_it_stands(&r, how == NOT_SUPPOSED ? WITHOUT_WORD : how), &own);
+    cagd_pass(&r, ".");
+    if (t != NULL && r.token->kind != CAGD_TOKEN_END)
+        return cagd_refuse_token(&r, "expected the end of the formula, not %s", cagd_name_of_next(&r));
+    return t;
 }

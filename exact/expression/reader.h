@@ -9,6 +9,7 @@
 struct cagd_bound {
     const char *head;
     const struct cagd_bound *next;
+    int arity; /* of an argument that is a function: how many it has itself */
 };
 
 typedef struct cagd_reader {
@@ -21,11 +22,16 @@ typedef struct cagd_reader {
     int declaring; /* on the left of a definition: names need not be known   */
     int supposing; /* in a condition: letters of indices need not be known   */
     int in_index;
-    int integrals; /* around what is read: d and a letter end the integrand  */
-    int norms;     /* likewise: \| ends the norm and begins none             */
-    int amounts;   /* and | that of a number                                  */
-    int ends;      /* where a range is read: dots stand between its ends      */
+    int integrals;       /* around what is read: d and a letter end the integrand  */
+    int norms;           /* likewise: \| ends the norm and begins none             */
+    int amounts;         /* and | that of a number                                  */
+    int ends;            /* where a range is read: dots stand between its ends      */
+    int premises;        /* in what is supposed                                     */
+    int lists;           /* likewise i = 0, 1, 2 is a condition                     */
+    const char *defines; /* behind the definition of that name: another one may follow a comma */
     int nodes;
+    int defining;               /* the right side of a definition */
+    int looking;                /* ahead, where nothing is asked for that would be read once more */
     const cagd_token *left_out; /* the last dots that leave steps of a chain out */
 } cagd_reader;
 
@@ -34,6 +40,9 @@ enum { CAGD_MOST_NODES = 20000 };
 /* Starts at text[from..to); 0 and the error where there are no tokens. */
 int cagd_reader_open(cagd_reader *r, const cagd_scope *scope, const char *text, int from, int to,
                      cagd_reading_error *error);
+
+/* Formulas below one another, with which the tokens begin, stand side by side with commas between. */
+void cagd_open_rows(cagd_token list[]);
 
 /* Whether the next token is that word; whether it was, and then it is passed; and the same or an error. */
 int cagd_next_is(const cagd_reader *r, const char *word);
@@ -90,6 +99,36 @@ const cagd_tree *cagd_fill_dots(cagd_reader *r, cagd_tree_kind kind, const cagd_
  * before[*start] on, if the ends say which; NULL and no error where they do not. */
 const cagd_tree *cagd_fill_chain(cagd_reader *r, const cagd_tree *const before[], int count, const cagd_tree *last,
                                  cagd_relation relation, int *start);
+/* Whole numbers: low, low + step, ..., high, or without an end where high is NULL; or those that are listed, one by one. */
+typedef struct cagd_list {
+    const cagd_tree *low, *high;
+    long step;
+    const cagd_tree *const *listed;
+    int count, is_list; /* is_list: what is wrong with it is wrong as a list */
+} cagd_list;
+enum { CAGD_MOST_SHOWN = 8 };
+/* The list that comes next, of the numbers of that letter: 0, 1, \dots, n; 2, 4, \dots, 8; 0(2)8; 0, 2, 4.  1; 0 where there is one number alone, which is
+ * read as its low end; -1 and an error. */
+int cagd_read_list(cagd_reader *r, const char *letter, cagd_list *list);
+/* That the name is one of them, as a condition; an error where that depends on what the letters in the ends are. */
+const cagd_tree *cagd_is_in_list(cagd_reader *r, const cagd_tree *name, const cagd_list *list);
+/* What is said of each number of the list in the place of the letter, or of one of them, as the kind of a quantifier has it. */
+const cagd_tree *cagd_over_list(cagd_reader *r, cagd_tree_kind kind, int from, const char *letter,
+                                const cagd_list *list, const cagd_tree *body);
+/* i = 0, 1, \dots, n as a condition, if it comes next; NULL and no error where it does not. */
+const cagd_tree *cagd_read_list_condition(cagd_reader *r);
+/* Behind one value of the letter: whether others that are no whole numbers follow, t = 0, 1/2, 1: then an error. */
+int cagd_refuse_values(cagd_reader *r, const char *letter);
+/* The condition that a whole number is even, or odd, if it comes next, n \text{ even}: NULL and no error where it does not.  And whether it does. */
+const cagd_tree *cagd_read_parity(cagd_reader *r);
+int cagd_next_is_parity(const cagd_reader *r);
+/* Whether these words end with "even" or "odd": -1, 1; 0 where they do not; and the condition that the letter that comes next, which is not passed, is so. */
+int cagd_parity_of_words(const char *words);
+const cagd_tree *cagd_is_of_parity(cagd_reader *r, int parity);
+/* Whether b - a is a whole number whatever the names in it are. */
+int cagd_difference_is_number(const cagd_tree *a, const cagd_tree *b, long *number);
+/* Whether b - a is a multiple of that number for all whole numbers in the place of its names. */
+int cagd_difference_is_multiple(const cagd_tree *a, const cagd_tree *b, long number);
 /* A chain of relations; between vectors, of each component. */
 const cagd_tree *cagd_relate(cagd_reader *r, int from, int count, const cagd_tree *const list[],
                              const cagd_relation relation[]);
@@ -129,6 +168,10 @@ int cagd_share_bounds(cagd_reader *r);
 void cagd_share_value(cagd_reader *r);
 /* One condition: a chain of relations, or a truth in brackets. */
 const cagd_tree *cagd_read_condition(cagd_reader *r);
+/* Whether a letter and "=", or \in \{, begin there; and, if it is a range of whole numbers with an end, i = 0, 1, \dots, n, i = 0, 1, 2, i \in \{0, \dots, n\}:
+ * then it is passed.  Otherwise nothing is, and that is no error. */
+int cagd_begins_range(const cagd_token *t);
+int cagd_read_index_range(cagd_reader *r, cagd_list *list);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
 /* Whether a chain has relations of both directions. */
 int cagd_changes_direction(const cagd_relation relation[], int count);
@@ -150,11 +193,22 @@ const cagd_tree *cagd_power_of(cagd_reader *r, const cagd_tree *t, const cagd_tr
  * factor, or primes: then an error.  A bracket with functions is a factor. */
 int cagd_is_bare_function(const cagd_reader *r, const cagd_tree *t);
 int cagd_refuse_argument(cagd_reader *r, const cagd_tree *t);
+/* On the left of a definition, of which the right side comes next: how many arguments that letter has there, being a function, K(f) = f(0) + f(1); 0 of a
+ * number. */
+int cagd_arity_of_argument(const cagd_reader *r, const char *letter);
+/* What the value t of d, which is of functions, stands for: the right side with what is given. */
+const cagd_tree *cagd_put_in_functional(cagd_reader *r, const cagd_definition *d, const cagd_tree *t);
 /* The letter with its faces: "t", "\hat{\omega}". */
 const char *cagd_read_head(cagd_reader *r);
+/* Whether another definition comes next, behind the condition of one: of the same name, or of one that is not known. */
+int cagd_next_is_other_definition(const cagd_reader *r);
 /* What messages call a head: "t_i" for "t_". */
 const char *cagd_spelled(const char *head);
 int cagd_is_known(const cagd_reader *r, const char *head);
+/* That a letter alone is not defined, with what gives it a meaning: NULL. */
+cagd_tree *cagd_complain_of_letter(cagd_reader *r, int from, int to, const char *letter);
+/* Whether it is made of whole numbers and names that stand for such, and which of both are in it: n, n-1, 3. */
+int cagd_is_of_whole_numbers(const cagd_reader *r, const cagd_tree *t, int *has_name);
 /* Whether a letter may stand here that is not known. */
 int cagd_may_be_unknown(const cagd_reader *r);
 int cagd_is_bound(const cagd_reader *r, const char *head);

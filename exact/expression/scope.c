@@ -38,10 +38,16 @@ int cagd_put_key(char key[], int room, const cagd_tree *t, const long index[])
     return used;
 }
 
+/* Whether the declaration says anything of the name with these indices. */
+static int is_within(const cagd_variable *v, const long index[])
+{
+    return !v->some || (v->first <= index[0] && index[0] <= v->last);
+}
+
 const cagd_variable *cagd_declared_for(const cagd_scope *scope, const cagd_tree *t, const char *key, const long index[])
 {
     const cagd_variable *v = scope->variables;
-    while (v != NULL && strcmp(v->head, t->head) != 0 && strcmp(v->head, key) != 0)
+    while (v != NULL && strcmp(v->head, key) != 0 && (strcmp(v->head, t->head) != 0 || !is_within(v, index)))
         v = v->next;
     if (v == NULL || v->left == NULL || strcmp(v->head, key) == 0)
         return v;
@@ -80,7 +86,7 @@ int cagd_is_parameter(const cagd_scope *scope, const char *head)
 {
     for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next)
         for (int k = d->left->lower + d->left->upper; k < d->left->count; k++)
-            if (strcmp(d->left->at[k]->head, head) == 0)
+            if (!(k < 32 && (d->functions >> k & 1)) && strcmp(d->left->at[k]->head, head) == 0)
                 return 1;
     return 0;
 }
@@ -200,29 +206,141 @@ static void take_bounds(const cagd_scope *scope, cagd_variable *v)
     }
 }
 
-/* Whether the child number k of t is an index, or what else is a whole number always: below in a binomial coefficient, the end of a sum. */
-static int is_counted(const cagd_tree *t, int k)
+/* Whether the child number k of t is a whole number always: below in a binomial coefficient, the end of a sum, an index of what is no function. */
+static int is_counted(const cagd_scope *scope, const cagd_tree *t, int k)
 {
-    return (t->kind == CAGD_NAME && k < t->lower + t->upper) || (t->kind == CAGD_BINOMIAL && k == 1) ||
+    return (t->kind == CAGD_NAME && k < t->lower + t->upper && cagd_defined(scope, t->head) == NULL) ||
+           (t->kind == CAGD_BINOMIAL && k == 1) ||
            ((t->kind == CAGD_SUM_OVER || t->kind == CAGD_PRODUCT_OVER) && k < 2);
 }
+static int is_index(const cagd_tree *t, int k) { return t->kind == CAGD_NAME && k < t->lower + t->upper; }
 
-static int make_whole(cagd_scope *scope, const cagd_tree *t, int in_index)
+/* A number as it stands, 1/2 or -3. */
+static int is_number(const cagd_tree *t, cagd_num_q *value)
 {
-    const cagd_variable *v = in_index && t->kind == CAGD_NAME && t->count == 0 ? cagd_declared(scope, t->head) : NULL;
-    if (v != NULL && !v->whole && v->lower + v->upper == 0) {
-        cagd_variable whole = *v;
-        take_bounds(scope, &whole);
-        whole.whole = 1;
-        return whole.low == NULL || cagd_declare(scope, whole);
+    cagd_num_q a, b;
+    if (t->kind == CAGD_NUMBER)
+        return *value = t->number, 1;
+    if (t->kind == CAGD_NEGATIVE && is_number(t->at[0], &a))
+        return *value = cagd_neg_q(a), 1;
+    if (t->kind != CAGD_QUOTIENT || !is_number(t->at[0], &a) || !is_number(t->at[1], &b) || cagd_sign_q(b) == 0)
+        return 0;
+    return *value = cagd_div_q(a, b), 1;
+}
+
+static int is_one_of(const char *head, const char *const list[])
+{
+    for (int k = 0; list[k] != NULL; k++)
+        if (strcmp(list[k], head) == 0)
+            return 1;
+    return 0;
+}
+
+int cagd_is_usual_index(const char *head)
+{
+    static const char *const letters[] = {"i", "j", "k", "l", "m", "n", "r", "\\ell",
+                                          "I", "J", "K", "L", "M", "N", "R", NULL};
+    return is_one_of(head, letters);
+}
+
+/* Whether a name in it is a variable that is no whole number. */
+static int has_real(const cagd_scope *scope, const cagd_tree *t)
+{
+    const cagd_variable *v = t->kind == CAGD_NAME ? cagd_declared(scope, t->head) : NULL;
+    int has = v != NULL && !v->whole && (v->real || !cagd_is_usual_index(v->head));
+    for (int k = 0; k < t->count && !has; k++)
+        has = has_real(scope, t->at[k]);
+    return has;
+}
+
+enum kind_of_number { IS_REAL, IS_WHOLE, IS_EITHER };
+
+/* What a variable with these bounds is, which is an index of a function.  Between 0 < q < 1 and 0 < q <= 1 there are not two whole numbers; 1/2 is no
+ * end of an index.  0 <= i <= 1 are two by the letter; of 0 <= alpha <= 1 it is not known. */
+static enum kind_of_number kind_of(const cagd_scope *scope, const cagd_variable *v)
+{
+    static const char *const of_some[] = {"p", "s", "d", "e", "P", "Q", "S", "D", NULL}, *const up_to[] = {
+                                                                                             "q",       "\\mu",
+                                                                                             "\\nu",    "\\rho",
+                                                                                             "\\kappa", "\\sigma",
+                                                                                             "\\iota",  NULL};
+    cagd_num_q low, high;
+    int has_low = is_number(v->low, &low), has_high = v->high != NULL && is_number(v->high, &high);
+    int is_usual = cagd_is_usual_index(v->head), is_strict = v->low_open || v->high_open;
+    if ((has_low && !cagd_is_whole_q(low)) || (has_high && !cagd_is_whole_q(high)))
+        return IS_REAL;
+    if (has_low && has_high && cagd_sign_q(cagd_sub_q(high, low)) > 0) {
+        int more = cagd_compare_q(cagd_sub_q(high, low), from_int_q(v->low_open + v->high_open));
+        if (more < 0 || (more == 0 && !is_usual)) /* none, or one */
+            return IS_REAL;
     }
+    if (is_usual)
+        return IS_WHOLE;
+    if ((!has_low && has_real(scope, v->low)) || (v->high != NULL && !has_high && has_real(scope, v->high)))
+        return IS_REAL;
+    int to_n = v->high != NULL && !has_high,
+        few = has_low && has_high && cagd_compare_q(cagd_sub_q(high, low), from_int_q(1)) <= 0;
+    if ((is_one_of(v->head, of_some) && !few) || (is_one_of(v->head, up_to) && to_n))
+        return IS_WHOLE;
+    return is_strict ? IS_REAL : IS_EITHER;
+}
+
+static int become_whole(cagd_scope *scope, const cagd_variable *v)
+{
+    cagd_variable whole = *v;
+    whole.whole = 1;
+    return cagd_declare(scope, whole);
+}
+
+/* What was declared of a letter that is not a whole number and was not said to be real, with its bounds; 0 where it is no such thing. */
+static int may_become_whole(const cagd_scope *scope, const cagd_tree *t, cagd_variable *v)
+{
+    const cagd_variable *found = t->kind == CAGD_NAME && t->count == 0 ? cagd_declared(scope, t->head) : NULL;
+    if (found == NULL || found->whole || found->real || found->lower + found->upper > 0)
+        return 0;
+    *v = *found;
+    take_bounds(scope, v);
+    return v->low != NULL;
+}
+
+/* Those that are counted. */
+static int make_counted_whole(cagd_scope *scope, const cagd_tree *t, int counted)
+{
+    cagd_variable v;
+    cagd_num_q q;
+    if (counted && may_become_whole(scope, t, &v) && (!is_number(v.low, &q) || cagd_is_whole_q(q)) &&
+        (v.high == NULL || !is_number(v.high, &q) || cagd_is_whole_q(q)))
+        return become_whole(scope, &v);
     for (int k = 0; k < t->count; k++)
-        if (!make_whole(scope, t->at[k], in_index || is_counted(t, k)))
+        if (!make_counted_whole(scope, t->at[k], (counted && t->kind != CAGD_NAME) || is_counted(scope, t, k)))
             return 0;
     return 1;
 }
 
-int cagd_make_indices_whole(cagd_scope *scope, const cagd_tree *t) { return make_whole(scope, t, 0); }
+/* And those that are indices of functions. */
+static int make_whole(cagd_scope *scope, const cagd_tree *t, int in_index, cagd_reading_error *error)
+{
+    cagd_variable v;
+    if (in_index && may_become_whole(scope, t, &v)) {
+        enum kind_of_number kind = kind_of(scope, &v);
+        if (kind == IS_EITHER)
+            return cagd_refuse_reading(
+                error, t->from, t->to,
+                "the index %s has bounds and may be a whole number or a real one: write %s = 0, 1, "
+                "\\dots for the first, %s \\in [a, %s for the second",
+                v.head, v.head, v.head, v.high != NULL ? "b]" : "\\infty)");
+        return kind == IS_REAL || become_whole(scope, &v);
+    }
+    for (int k = 0; k < t->count; k++)
+        if (!make_whole(scope, t->at[k], in_index || is_index(t, k), error))
+            return 0;
+    return 1;
+}
+
+int cagd_make_indices_whole(cagd_scope *scope, const cagd_tree *t, cagd_reading_error *error)
+{
+    return make_counted_whole(scope, t, 0) && make_whole(scope, t, 0, error);
+}
 
 /* One more behind a list, of which there may be copies. */
 static int append(const cagd_tree ***list, int *count, const cagd_tree *t)

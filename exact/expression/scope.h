@@ -10,7 +10,9 @@
 typedef struct cagd_definition {
     const cagd_tree *left, *body, *when; /* when: a condition, or NULL                    */
     int dimension;                       /* of a vector or matrix; 0 of a number          */
-    struct cagd_definition *next;        /* in the order in which they were written       */
+    unsigned functions; /* bits: which children of the left side are functions; they have `arity` arguments   */
+    int arity;
+    struct cagd_definition *next; /* in the order in which they were written       */
 } cagd_definition;
 
 /* A variable, with so many lower and upper indices: "\omega_i", "t"; or one of them alone, "\omega_3", whose bounds are not those of the others.
@@ -22,8 +24,15 @@ typedef struct cagd_variable {
     int lower, upper;
     int dimension; /* of a vector or matrix; 0 of a number */
     int whole;     /* runs over the whole numbers from low to high; every number from low on when high is NULL */
+    int real;      /* it was said to be a real number, by a set or an interval: no index makes it a whole one  */
     const cagd_tree *low, *high;
     int low_open, high_open; /* < and not <= */
+    long step; /* of whole numbers: low, low + step, ... up to high, which has to be one of them; 0 is 1 */
+    const cagd_tree *const
+        *listed; /* the whole numbers, one by one, or NULL; low and high are then the first and the last of the list */
+    int listed_count;
+    int some; /* the bounds are those of the indices `first` to `last` alone, and others have those of an earlier declaration */
+    long first, last;
     const struct cagd_variable *next;
 } cagd_variable;
 
@@ -57,9 +66,12 @@ const char *cagd_nearest(const cagd_scope *scope, const char *head);
  * body of the new definition is to be filled in: it may use its own name. */
 cagd_definition *cagd_define(cagd_scope *scope, const cagd_tree *left);
 int cagd_declare(cagd_scope *scope, cagd_variable v);
+/* Whether the letter is a whole number wherever it is an index with bounds: i, j, k, l, m, n, r. */
+int cagd_is_usual_index(const char *head);
 /* Variables with a lower bound that are indices of names of the tree, ends of its sums, or stand below in binomial coefficients become whole
- * numbers, 0 <= i <= n being 0, 1, ..., n. */
-int cagd_make_indices_whole(cagd_scope *scope, const cagd_tree *t);
+ * numbers, 0 <= i <= n being 0, 1, ..., n, where they were not said to be real and their bounds do not show it.  0 and an error where a name is an index
+ * of a function, which may be a parameter, and neither its bounds nor its letter say what it is: 0 <= alpha <= 1. */
+int cagd_make_indices_whole(cagd_scope *scope, const cagd_tree *t, cagd_reading_error *error);
 int cagd_suppose(cagd_scope *scope, const cagd_tree *condition);
 int cagd_label(cagd_scope *scope, const cagd_tree *letter);
 #endif

@@ -77,6 +77,7 @@ static const struct standard standards[] = {
      {0},
      0,
      "@{0}{#2} = (1-#2)^2 (1+2#2)\n@{1}{#2} = #2^2 (3-2#2)\n@{2}{#2} = #2 (1-#2)^2\n@{3}{#2} = -#2^2 (1-#2)\n"},
+    {"kronecker", "\\delta_{ij}", 2, 0, {0}, 0, "@{#1}{#1} = 1\n@ = 0\n"},
 };
 enum { STANDARDS = sizeof standards / sizeof *standards };
 
@@ -173,6 +174,15 @@ static int shape_of(struct piece p, struct shape *s)
             ;
     }
     return s->head.length > 0 && s->head.length <= LONGEST;
+}
+
+/* Two letters side by side, \delta_{ij}, where two are wanted. */
+static void part_letters(struct shape *s, const struct standard *of)
+{
+    if (s->count != 1 || of->indices != 2 || of->arguments != 0 || s->letter[0].length != 2)
+        return;
+    s->group[1] = s->group[0], s->count = 2;
+    s->letter[1] = (struct piece){s->letter[0].at + 1, 1}, s->letter[0].length = 1;
 }
 
 /* Below before above before in brackets, where they stand above and then below. */
@@ -319,6 +329,7 @@ const char *cagd_standard(const cagd_scope *scope, const char *line, int length,
     if (good) {
         at[sources] = rest.length;
         good = shape_of((struct piece){rest.at, at[0]}, &name);
+        part_letters(&name, s);
     }
     for (int k = 0; k < sources && good; k++) {
         int begin = at[k] + (int)strlen(s->word[k]);

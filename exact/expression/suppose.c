@@ -38,12 +38,26 @@ static int limit(cagd_context *c, cagd_value a, cagd_relation relation, cagd_val
     return 1;
 }
 
+enum { MOST_SUPPOSED = 1000 };
+
 static int suppose(cagd_context *c, const cagd_tree *t, const cagd_frame *f)
 {
     int result = 1;
     if (t->kind == CAGD_ALL) {
         for (int k = 0; k < t->count && result > 0; k++)
             result = suppose(c, t->at[k], f);
+        return result;
+    }
+    if (t->kind == CAGD_FOR_ALL) {
+        long low, high;
+        cagd_value first = cagd_evaluate_in(c, t->at[0], f), last = cagd_evaluate_in(c, t->at[1], f);
+        if (region_faults != 0 || !cagd_value_is_whole(first, &low) || !cagd_value_is_whole(last, &high) ||
+            high - low > MOST_SUPPOSED)
+            return -1;
+        for (long k = low; k <= high && result > 0; k++) {
+            cagd_frame inner = {t->head, cagd_value_int(k), f};
+            result = suppose(c, t->at[2], &inner);
+        }
         return result;
     }
     if (t->kind != CAGD_RELATION)

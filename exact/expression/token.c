@@ -26,7 +26,8 @@ static const struct {
     {"\\scriptstyle", ""}, {"\\thinspace", ""}, {"\\negthinspace", ""}, {"\\medspace", ""}, {"\\thickspace", ""}, {"\\enspace", ""},
     {"\\enskip", ""}, {"\\hfill", ""}, {"\\strut", ""}, {"\\mathstrut", ""}, {"\\relax", ""}, {"\\boxed", ""}, {"\\ensuremath", ""},
     {"\\middle", ""}, {"\\displaystyle", ""}, {"\\textstyle", ""}, {"\\limits", ""}, {"\\nolimits", ""}, {"\\quad", ""},
-    {"\\qquad", ""}, {"\\nonumber", ""}, {"\\notag", ""},
+    {"\\qquad", ""}, {"\\nonumber", ""}, {"\\notag", ""}, {"\\cr", "\\\\"}, {"\\tabularnewline", "\\\\"}, {"\\hline", ""}, {"\\smallskip", ""}, {"\\medskip", ""}, {"\\bigskip", ""},
+    {"\\mbox", "\\text"}, {"\\hbox", "\\text"}, {"\\textrm", "\\text"}, {"\\textnormal", "\\text"}, {"\\textup", "\\text"}, {"\\textit", "\\text"},
     {"\\,", ""}, {"\\;", ""}, {"\\:", ""}, {"\\!", ""}, {"\\ ", ""}, {"\\>", ""}, {"~", ""},
     {"\u00a0", ""}, {"\u2002", ""}, {"\u2003", ""}, {"\u2009", ""}, {"\u200a", ""}, {"\u202f", ""}, {"\u3000", ""},
     {"⩽", "\\le"}, {"⩾", "\\ge"}, {"≦", "\\le"}, {"≧", "\\ge"}, {"⋅", "*"}, {"∗", "*"}, {"⋯", "\\dots"}, {"⟹", "\\Rightarrow"},
@@ -183,9 +184,9 @@ static int read_scripts(const char *text, int at, int to, cagd_token list[], int
 }
 
 /* For the page, with a group behind it that means nothing; and what sets a group above the sign behind it, \stackrel{(1)}{=}. */
-static const char *const without_meaning[] = {"\\hspace",   "\\vspace",   "\\mspace",  "\\phantom",
-                                              "\\vphantom", "\\hphantom", "\\label",   "\\tag",
-                                              "\\color",    "\\stackrel", "\\overset", "\\underset"};
+static const char *const without_meaning[] = {"\\hspace",   "\\vspace",  "\\mspace",  "\\phantom", "\\vphantom",
+                                              "\\hphantom", "\\label",   "\\tag",     "\\noalign", "\\color",
+                                              "\\stackrel", "\\overset", "\\underset"};
 
 /* Behind the group of such a word s[0..n), which ends at `at`; `at` where there is none. */
 static int behind_meaningless(const char *text, const char *s, int n, int at, int to)
@@ -204,6 +205,55 @@ static int behind_meaningless(const char *text, const char *s, int n, int at, in
             return k + 1;
     }
     return at;
+}
+
+/* The end of a length of TeX at `at`, 3mm, -.5ex, 2\jot; `at` where there is none. */
+static int behind_length(const char *text, int at, int to)
+{
+    static const char *const units[] = {"pt", "mm", "cm", "in", "ex", "em", "bp", "pc", "dd", "cc", "sp", "mu", "px"},
+                             *const lengths[] = {
+                                 "\\jot",           "\\baselineskip",  "\\normalbaselineskip", "\\smallskipamount",
+                                 "\\medskipamount", "\\bigskipamount", "\\lineskip",           "\\parskip"};
+    int k = at, digits = 0;
+    while (k < to && (text[k] == '-' || text[k] == '+' || isspace((unsigned char)text[k])))
+        k++;
+    for (; k < to && (isdigit((unsigned char)text[k]) || text[k] == '.' || text[k] == ','); k++)
+        digits += isdigit((unsigned char)text[k]) != 0;
+    while (k < to && isspace((unsigned char)text[k]))
+        k++;
+    for (size_t m = 0; k < to && text[k] == '\\' && m < sizeof lengths / sizeof *lengths; m++)
+        if (is(text + k, length_at(text + k, to - k), lengths[m]))
+            return k + (int)strlen(lengths[m]);
+    for (size_t m = 0; digits > 0 && m < sizeof units / sizeof *units; m++)
+        if (k + 2 <= to && memcmp(text + k, units[m], 2) == 0)
+            return k + 2;
+    return at;
+}
+
+/* Behind the end of a row \\, which ends at `at`: the star and the space to the next row belong to it, \\*, \\[3mm].  -1 and the error where a blank before
+ * the bracket leaves open what it is. */
+static int behind_break(const char *text, int at, int to, cagd_reading_error *error)
+{
+    int k = at + (at < to && text[at] == '*'), open, end;
+    at = k;
+    while (k < to && isspace((unsigned char)text[k]))
+        k++;
+    if (k == to || text[k] != '[')
+        return at;
+    open = k;
+    end = behind_length(text, k + 1, to);
+    for (k = end; k < to && isspace((unsigned char)text[k]);)
+        k++;
+    if (end == open + 1 || k == to || text[k] != ']')
+        return at;
+    if (open > at) {
+        cagd_refuse_reading(
+            error, open, k + 1,
+            "the space between two rows, or a factor? write \\\\%.*s, or round brackets around the factor",
+            k + 1 - open > 20 ? 20 : k + 1 - open, text + open);
+        return -1;
+    }
+    return k + 1;
 }
 
 /* The bar of \left. ... \right|_{t=a}, whose \left. ends at `at`; -1 where it is another bracket, or far. */
@@ -267,12 +317,25 @@ static const char *function_in_braces(const cagd_token *t)
     return NULL;
 }
 
+/* Whether {} behind it is there for the space. */
+static int stands_before_space(const char *word)
+{
+    static const char *const words[] = {"=", "<", ">", "\\le", "\\ge", "\\ne", ":=", "+", "-", "&", "\\\\", ","};
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (strcmp(words[k], word) == 0)
+            return 1;
+    return 0;
+}
+
 static void simplify(cagd_token list[], int *count)
 {
     enum { OF_FUNCTION = 6 }; /* \mathrm { s i n } */
     int to = 0;
     for (int k = 0; k <= *count; k++, to++) {
         const char *word;
+        while (k + 1 < *count && strcmp(list[k].word, "{") == 0 && strcmp(list[k + 1].word, "}") == 0 &&
+               (to == 0 || stands_before_space(list[to - 1].word)))
+            k += 2;
         list[to] = list[k];
         if (k + 2 <= *count && strcmp(list[k].word, "{") == 0 && relation_not(list[k + 1].word) != NULL &&
             strcmp(list[k + 2].word, "}") == 0) {
@@ -296,11 +359,109 @@ static void simplify(cagd_token list[], int *count)
     *count = to - 1;
 }
 
+/* Words of a piece of text in which formulas stand between dollar signs, as tokens of \text{...}; commas and the like at its beginning by themselves. */
+static void put_words(const char *text, int from, int to, cagd_token list[], int *count)
+{
+    while (to > from && (isspace((unsigned char)text[to - 1]) || text[to - 1] == '~'))
+        to--;
+    for (; from < to && (isspace((unsigned char)text[from]) || strchr(",;.~", text[from]) != NULL); from++)
+        if (strchr(",;.", text[from]) != NULL && *count < CAGD_MOST_TOKENS)
+            list[(*count)++] = (cagd_token){CAGD_TOKEN_SIGN, cagd_text_of(text + from, 1), from, from + 1};
+    const char *words = cagd_text_of(text + from, to - from);
+    if (from == to || words == NULL || *count + 4 > CAGD_MOST_TOKENS)
+        return;
+    list[(*count)++] = (cagd_token){CAGD_TOKEN_WORD, "\\text", from, to};
+    list[(*count)++] = (cagd_token){CAGD_TOKEN_SIGN, "{", from, to};
+    list[(*count)++] = (cagd_token){CAGD_TOKEN_WORD, words, from, to};
+    list[(*count)++] = (cagd_token){CAGD_TOKEN_SIGN, "}", to, to};
+}
+
+/* The end of the group of a text, which begins behind `at` with a brace, if there are dollar signs in it; -1 where there are none. */
+static int end_of_text_with_formulas(const char *text, int at, int to)
+{
+    int depth = 0, has = 0;
+    while (at < to && isspace((unsigned char)text[at]))
+        at++;
+    for (int k = at; k < to && text[at] == '{'; k++) {
+        k += text[k] == '\\';
+        depth += (text[k] == '{') - (text[k] == '}');
+        has |= text[k] == '$';
+        if (depth == 0)
+            return has ? k : -1;
+    }
+    return -1;
+}
+
+/* Behind the columns of an array at `at`, {ll}, [c]{@{}l@{\quad}p{2cm}|}; -1 where it is no such thing. */
+static int behind_columns(const char *text, int at, int to)
+{
+    int k = at, depth = 0;
+    while (k < to && isspace((unsigned char)text[k]))
+        k++;
+    if (k + 2 < to && text[k] == '[' && text[k + 2] == ']')
+        k += 3;
+    while (k < to && isspace((unsigned char)text[k]))
+        k++;
+    if (k == to || text[k] != '{')
+        return -1;
+    for (k++; k < to && text[k] != '}'; k++) {
+        if (strchr("lcr| *\n", text[k]) != NULL)
+            continue;
+        if (strchr("@!><pmb", text[k]) == NULL && text[k] != '{')
+            return -1;
+        for (k += text[k] != '{'; k < to; k++) {
+            depth += (text[k] == '{') - (text[k] == '}');
+            if (depth == 0)
+                break;
+        }
+        if (k == to || text[k] != '}')
+            return -1;
+    }
+    return k < to ? k + 1 : -1;
+}
+
+/* Whether the tokens end with \begin{array}. */
+static int ends_with_array(const cagd_token list[], int count)
+{
+    static const char *const words[] = {"\\begin", "{", "a", "r", "r", "a", "y", "}"};
+    enum { WORDS = sizeof words / sizeof *words };
+    for (int k = 0; k < WORDS && count >= WORDS; k++)
+        if (strcmp(list[count - WORDS + k].word, words[k]) != 0)
+            return 0;
+    return count >= WORDS;
+}
+
+/* \mathrm{otherwise}, {\rm if}: words, and no name. */
+static void read_roman_words(cagd_token list[], int count)
+{
+    static const char *const words[] = {"if",    "otherwise", "else", "elsewhere", "for",  "when",
+                                        "where", "and",       "or",   "then",      "even", "odd"};
+    for (int k = 0; k + 2 < count; k++) {
+        char said[16];
+        int n = 0, m = k + 2,
+            is_index =
+                k > 0 && (strchr("_^", list[k - 1].word[0]) != NULL ||
+                          (k > 1 && strcmp(list[k - 1].word, "{") == 0 && strchr("_^", list[k - 2].word[0]) != NULL));
+        if ((strcmp(list[k].word, "\\mathrm") != 0 && strcmp(list[k].word, "\\mathit") != 0 &&
+             strcmp(list[k].word, "\\operatorname") != 0) ||
+            strcmp(list[k + 1].word, "{") != 0 || is_index)
+            continue;
+        for (; m < count && list[m].kind == CAGD_TOKEN_LETTER && n + 1 < (int)sizeof said; m++)
+            said[n++] = list[m].word[0];
+        said[n] = '\0';
+        m += m < count && strchr(",.;", list[m].word[0]) != NULL;
+        for (size_t w = 0; w < sizeof words / sizeof *words && m < count && strcmp(list[m].word, "}") == 0; w++)
+            if (strcmp(words[w], said) == 0)
+                list[k].word = "\\text";
+    }
+}
+
 cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *error)
 {
     int count = 0, room = 2 * (to - from < CAGD_MOST_TOKENS ? to - from : CAGD_MOST_TOKENS) + 2 * LONGEST_SCRIPT + 1;
     cagd_token *list = cagd_region_array(room, 1, sizeof *list);
     int bar[MOST_BARS], bars = 0; /* that end what \left. begins */
+    int text_end = -1;            /* of a text in which formulas stand between dollar signs */
     for (int at = from; list != NULL && at < to;) {
         const char *s = text + at;
         int n = to - at;
@@ -311,6 +472,18 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
         if (s[0] == '%') {
             while (at < to && text[at] != '\n')
                 at++;
+            continue;
+        }
+        if (at == text_end) {
+            text_end = -1, at++;
+            continue;
+        }
+        if (text_end >= 0 && s[0] == '$') { /* behind a formula of the text */
+            int stop = at + 1;
+            while (stop < text_end && text[stop] != '$')
+                stop++;
+            put_words(text, at + 1, stop, list, &count);
+            at = stop + (stop < text_end);
             continue;
         }
         if (script_at(s, n) >= 0 && count < CAGD_MOST_TOKENS) {
@@ -350,6 +523,20 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
         for (int k = 0; k < bars; k++)
             t.word = bar[k] == t.from ? "\\right|" : t.word;
         int behind = behind_meaningless(text, s, t.to - t.from, at, to);
+        if (strcmp(t.word, "\\text") == 0 && text_end < 0 &&
+            (text_end = end_of_text_with_formulas(text, at, to)) >= 0) {
+            int begin = at, stop;
+            while (text[begin] != '{')
+                begin++;
+            for (stop = begin + 1; text[stop] != '$'; stop++)
+                ;
+            put_words(text, begin + 1, stop, list, &count);
+            at = stop + 1;
+            continue;
+        }
+        if (strcmp(t.word, "\\\\") == 0 && (at = t.to = behind_break(text, at, to, error)) < 0)
+            return NULL;
+        behind = behind > at ? behind : at;
         if (t.word[0] == '\0' || behind > at) {
             at = behind;
             continue;
@@ -359,6 +546,12 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
             return NULL;
         }
         list[count++] = t;
+        int columns = t.word[0] == '}' && ends_with_array(list, count) ? behind_columns(text, at, to) : -1;
+        if (columns >= 0 && count + 2 < CAGD_MOST_TOKENS) {
+            list[count++] = (cagd_token){CAGD_TOKEN_SIGN, "{", at, columns};
+            list[count++] = (cagd_token){CAGD_TOKEN_SIGN, "}", columns, columns};
+            at = columns;
+        }
     }
     if (list == NULL || region_faults & FAULT_MEMORY) {
         cagd_refuse_reading(error, from, to, "there is no memory for the formula");
@@ -366,5 +559,6 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
     }
     list[count] = (cagd_token){.kind = CAGD_TOKEN_END, .word = "", .from = to, .to = to};
     simplify(list, &count);
+    read_roman_words(list, count);
     return list;
 }

@@ -607,6 +607,120 @@ g(s,t) = s^2 t^3
         self.assertEqual(verdict("p \\ge 0", "n = 1", let)["verdict"], "holds")
         self.assertEqual(verdict("p \\ge 0", "p \\ge -1", let)["verdict"], "fails")
 
+    def test_an_index_with_bounds_can_be_a_real_parameter(self):
+        """What was said to be real is, wherever; so are names between whose bounds there are not two whole numbers.  0 <= alpha <= 1 is asked for."""
+        claim, let = r"p_{\alpha}(x) \ge 0", "p_{\\alpha}(x) = x^2 + \\alpha(\\alpha-1)\n"
+        for before, ranges, expected in (
+                (r"\alpha \in [0,1]", "n = 1", "fails"), (r"\alpha \in [0,\infty)", "n = 1", "fails"), ("", r"\alpha \in [0,1]", "fails"),
+                (r"\alpha \in \mathbb{R}", r"0 \le \alpha \le 1", "fails"), ("", r"0 \le \alpha \le 1, \alpha \in \mathbb{R}", "fails"), ("", r"0 < \alpha < 1", "fails"),
+                ("", r"0 < \alpha \le 1", "fails"), ("", r"\alpha \ge 1/2", "fails"), ("", r"\alpha \ge -\frac{1}{2}", "fails"), ("", r"\alpha > 0", "fails"), ("", r"\alpha = 0..1", "holds"),
+                ("", r"0 \le \alpha \le 1", None), ("", r"\alpha \ge 0", None), (r"0 \le \alpha \le 1", "n = 1", None), ("", r"n = 3, 0 \le \alpha \le n", None),
+                (r"0 \le x \le 1", r"0 \le \alpha \le x", "fails")):
+            with self.subTest(before=before, ranges=ranges):
+                if expected is not None:
+                    self.assertEqual(verdict(claim, ranges, let + before)["verdict"], expected)
+                else:
+                    self.assertIn("the index \\alpha has bounds and may be a whole number or a real one", check(document(claim, ranges, let + before)).stderr)
+        self.assertEqual(verdict(r"\alpha(1-\alpha) + 0 p_{\alpha}(x) \ge 0", r"0 \le \alpha \le 1, \alpha \in \mathbb{R}", let)["verdict"], "holds")
+        r = check(document(claim + r", \quad 0 \le \alpha \le 1", "n = 1", let))
+        self.assertIn("write \\alpha = 0, 1, \\dots for the first, \\alpha \\in [a, b] for the second", r.stderr)
+        let = "p_q(x) = x^2 + q(q-1)\n"
+        for ranges, expected in (("0 < q < 1", "fails"), ("0 < q \\le 1", "fails"), ("q > 0", "fails"), ("q \\in [0,1]", "fails"), ("q \\ge 1", None), ("0 \\le q \\le 1", None),
+                                 ("n = 3, 0 \\le q \\le n", "holds")):
+            with self.subTest(ranges=ranges):
+                r = check(document("p_q(x) \\ge 0", ranges, let), "--json")
+                self.assertEqual(json.loads(r.stdout)["statements"][0]["verdict"] if r.returncode != 2 else None, expected)
+        for letter in ("i", "j", "n", "\\ell"): # indices by their letter
+            self.assertEqual(verdict(f"p_{letter}(x) \\ge 0", f"0 \\le {letter} \\le 1", f"p_{letter}(x) = x^2 + {letter}({letter}-1)\n")["verdict"], "holds", letter)
+        r = check(":::{let}\n0 \\le \\lambda \\le 1\nT_{\\lambda} = \\lambda\n:::\n:::{statement} s\n:printed: T_{\\lambda} \\ge 1/2\n:find: \\lambda\n:::\n")
+        self.assertIn("It holds for 1/2 ≤ λ ≤ 1", r.stdout)
+
+    def test_definitions_of_functions(self):
+        """An argument that is applied is a function: its definition is put in, and no letter is caught."""
+        let = r"""e_i(s) = s^i
+K(f) = \int_0^1 f(s)\,ds
+b_{n,k}(x) = \binom{n}{k} x^k (1-x)^{n-k}
+A_n(f;x) = \sum_{k=0}^n f\left(\frac{k}{n}\right) b_{n,k}(x)
+K_n(f;x) = (n+1) \sum_{k=0}^n b_{n,k}(x) \int_{k/(n+1)}^{(k+1)/(n+1)} f(s)\,ds
+D(g) = g'(0) + K(g)
+L_n(f;x) = A_n(f;x) - f(x)
+W_n(f;x,y) = \sum_{k=0}^n b_{n,k}(x) f\left(\frac{k}{n}, y\right)
+h(s,t) = s t
+V(f;x) = f(x), \quad 0 \le x \le 1
+c(t;\lambda) = \lambda(1-t)
+p(t;f) = f(1-t) + f t
+"""
+        for printed, expected in (
+                ("K(e_0) = 1", "holds"), (r"K(e_0) = \frac12", "fails"), (r"K(e_n) = \frac{1}{n+1}", "holds"), ("K(2) = 2", "holds"), (r"K(e_1)^2 = \frac14", "holds"), (r"K^2(e_1) = \frac14", "holds"),
+                (r"A_n(e_2;x) = x^2 + \frac{x(1-x)}{n}", "holds"), (r"A_n(e_2;x) = x^2 + \frac{x(1-x)}{n^2}", "fails"), ("A_n(1;x) = 1", "holds"), ("A_n(e_i;1) = e_i(1), \\quad i = 0,1,2,3", "holds"),
+                (r"K_n(e_1;x) = \frac{n}{n+1} x + \frac{1}{2(n+1)}", "holds"), (r"K_n(e_1;x) = \frac{n}{n+1} x + \frac{1}{n+1}", "fails"), (r"\frac{d}{dx} A_n(e_1;x) = 1", "holds"), ("A_n(e_1) = x", "holds"),
+                (r"D(e_1) = \frac32", "holds"), ("D(2) = 2", "holds"), (r"D(e_1) = \frac12", "fails"), ("L_n(e_1;x) = 0", "holds"), ("L_n(e_2;x) = 0", "fails"), ("W_n(h;x,u) = x u", "holds"), ("W_n(h;x,u) = x", "fails"),
+                (r"\sum_{i=0}^2 K(e_i) = \frac{11}{6}", "holds"), (r"V(e_1; \frac12) = \frac12", "holds"), ("V(e_1; 2) = 2", "undecided"), ("A_n(e_2;x) \\ge e_2(x), \\quad x \\in [0,1]", "holds"),
+                ("c(t;2) = 2 - 2 t", "holds"), ("p(t;2) = 2", "holds"), ("x(1-x) = x - x^2", "holds"), (r"x \cdot (y) = x y", "holds"), (r"\omega_1 (x, y) = (\omega_1 x, \omega_1 y)", "holds"), ("x(-1)^n = (-1)^n x", "holds")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
+        for printed, message in (("K(x) = 1", "f of K is a function: write the name of one of 1 argument"), ("K(e_1 + e_0) = 1", "f of K is a function"), ("K(h) = 1", "f of K is a function"), ("W_n(e_1;x,y) = 1", "one of 2 arguments"), ("K = 1", "K was defined of a function: write which, K(f)"),
+                                 ("K'(e_1) = 1", "write its derivative as"), ("K_n(e_1;s) = s", "s is bound in the definition of K_i"), (r"\sum_{k=0}^2 A_n(e_k;x) = 1", "k is bound in the definition of A_i"), ("A_n(e_1;e_1) = x", "x of A_i is a number, and no function")):
+            with self.subTest(printed=printed):
+                self.assertIn(message, check(document(printed, "n = 1..3", let)).stderr)
+        self.assertEqual(verdict(r"A_n(e_2;x) = x^2 + \frac{x(1-x)}{n}", "n = 1..", let)["verdict"], "holds")
+
+    def test_what_could_be_a_q_number_or_a_binomial_coefficient(self):
+        let = "P_0 = (1, 2)\nq > 0\n:use: kronecker \\delta_{ij}\n:use: kronecker \\epsilon_i^j\n"
+        for printed, expected in ((r"[n+1]_q = 1 + q [n]_q", "holds"), (r"(n+1) = 1 + (n)", "holds"), (r"[x - 1] y = x y - y", "holds"), (r"\begin{pmatrix} 1 \\ 2 \end{pmatrix} = P_0", "holds"), (r"\begin{pmatrix} x \\ n \end{pmatrix} = (x, n)", "holds"),
+                                  (r"\begin{bmatrix} n+1 \\ 1 \end{bmatrix}_q = [n+1]_q", "holds"), (r"B_i^2(0) = \delta_{i0}, \quad i = 0,1,2", "holds"), (r"B_i^2(0) = \delta_{i,1}, \quad i = 0,1,2", "fails"), (r"B_i^2(1) = \epsilon_i^2, \quad i = 0,1,2", "holds"),
+                                  (r"\sum_{j=0}^n \delta_{nj} x_j = x_n", "holds"), (r"\sum_{j=0}^n \delta_{nj} x_j = x_0", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
+
+    def test_definitions_that_stand_before_what_is_in_them(self):
+        """A curve and then its functions, in lines, in blocks and in one line; several of one name keep their order."""
+        curve, functions = "p_i(t) = b_{i,0}(t) x_{i-1} + b_{i,1}(t) x_i\n", "b_{i,1}(t) = 1 - b_{i,0}(t)\nb_{i,0}(t) = 1 - t\n"
+        for let in (curve + functions, functions + curve, curve + ":::\n:::{let}\n" + functions):
+            self.assertEqual(verdict("p_n(0) = x_{n-1}, \\quad p_n(1) = x_n", "n = 1..3", let)["verdict"], "holds")
+            self.assertEqual(verdict("p_n(0) = x_n", "n = 1..3", let)["verdict"], "fails")
+        let = "g_0(t) = h_0(t)\ng_i(t) = t^i\nh_i(t) = 7 + i\n"
+        self.assertEqual(verdict("g_0(t) = 7, \\quad g_1(t) = t", "n = 1", let)["verdict"], "holds")
+        for let in ("A_n(t) = \\sum_{i=0}^n x_i c_{n,i}(t), \\qquad c_{n,i}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n", "A_n(t) = \\sum_{i=0}^n x_i c_{n,i}(t) \\text{ where } c_{n,i}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n"):
+            self.assertEqual(verdict("A_n(0) = x_0", "n = 1..3", let)["verdict"], "holds")
+            self.assertEqual(verdict("A_n(0) = x_n", "n = 1..3", let)["verdict"], "fails")
+        r = check(document("x = x", "n = 1", "p(t) = q(t)\nr(t) = p(t)\n"))
+        self.assertIn("5:8: q is not defined", r.stderr)
+        self.assertIn("6:8: p is not defined", r.stderr)
+        let = "P, Q \\in \\mathbb{R}^2\n"
+        self.assertEqual(verdict("M + M = P + Q, \\text{ where } M = \\frac12 (P+Q)", "n = 1", let)["verdict"], "holds")
+        self.assertEqual(verdict("M + M = P, \\text{ where } M = \\frac12 (P+Q)", "n = 1", let)["verdict"], "fails")
+
+    def test_a_value_by_names_of_the_same_kind_is_supposed(self):
+        """\\lambda_i = -\\lambda_{n+1-i} defines nothing; x_i = i^2 does."""
+        let = "\\lambda_i \\in \\mathbb{R}\n"
+        for printed, ranges, expected in ((r"\lambda_1 = 0", r"n = 1..3, i = 0..n, \lambda_i = -\lambda_{n+1-i}", "fails"), (r"\lambda_3 = 9", r"\lambda_i = i^2", "holds"), (r"\lambda_3 = 8", r"\lambda_i = i^2", "fails"),
+                                          (r"\lambda_2 = \lambda_3", r"\lambda_2 = \lambda_3", "holds"), (r"\lambda_1 + \lambda_n = 1", r"n = 2, \lambda_i = -\lambda_{n+1-i}", None)):
+            with self.subTest(printed=printed, ranges=ranges):
+                s = verdict(printed, ranges, let)["verdict"]
+                self.assertEqual(s, expected) if expected is not None else self.assertNotEqual(s, "holds")
+
+    def test_numbers_of_p_and_q(self):
+        let = r"""0 < q < p \le 1
+b_{n,k}^{p,q}(x) = \frac{1}{p^{n(n-1)/2}} \left[\begin{matrix} n \\ k \end{matrix}\right]_{p,q} p^{k(k-1)/2} x^k \prod_{s=0}^{n-k-1} (p^s - q^s x)
+"""
+        for printed, expected in ((r"[n]_{p,q} = \frac{p^n-q^n}{p-q}", "holds"), (r"[n]_{p,q} = \frac{p^n-q^n}{p+q}", "fails"), ("[n+1]_{p,q} = p^n + q [n]_{p,q}", "holds"), ("[n+1]_{p,q} = p^n + p [n]_{p,q}", "fails"),
+                                  (r"\binom{n}{k}_{p,q} = \frac{[n]_{p,q}!}{[k]_{p,q}! [n-k]_{p,q}!}, \quad k = 0,1,\dots,n", "holds"), (r"\binom{n}{k}_{p,q} = \frac{[n]_{p,q}!}{[k]_{p,q}!}, \quad k = 0,1,\dots,n", "fails"),
+                                  (r"\sum_{k=0}^n b_{n,k}^{p,q}(x) = 1", "holds"), (r"\sum_{k=0}^n \frac{[k]_{p,q}}{p^{k-n}[n]_{p,q}} b_{n,k}^{p,q}(x) = x", "holds"), (r"\sum_{k=0}^n \frac{[k]_{p,q}}{[n]_{p,q}} b_{n,k}^{p,q}(x) = x", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1..3", let)["verdict"], expected)
+
+    def test_an_index_that_the_others_give(self):
+        let = r"""D_{\lfloor n/2\rfloor}^n(t) = 5 t, \quad n \ge 2
+D_i^n(t) = t^i
+g_{n-1,n} = 3
+g_{i,n} = i
+"""
+        for printed, expected in (("D_1^2(t) = 5 t", "holds"), ("D_0^2(t) = 1, \\quad D_2^4(t) = D_2^5(t), \\quad D_0^1(t) = 1", "holds"), ("D_2^4(t) = t^2", "fails"), ("g_{2,3} = 3, \\quad g_{3,4} = 3, \\quad g_{1,4} = 1", "holds"), ("g_{2,4} = 3", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
+        self.assertIn("on the left of a definition an index is a letter or a number", check(document("x = x", "n = 1", "q_{j+1} = j\n")).stderr)
+
     def test_bounds_of_one_of_many(self):
         """Those of \\lambda_1 are not those of \\lambda_2, nor those of x_n the ones of all x_i."""
         let = "\\lambda_i \\in \\mathbb{R}\n"
@@ -683,8 +797,9 @@ g(s,t) = s^2 t^3
         block = "q_0(t) = (1-t)^2 (1 - \\lambda_1 t)\nt \\in [0,1]\n\\lambda_1 \\le 1\n"
         self.assertEqual(check_standard("q_0(t) \\ge 0", "n = 1", block)["verdict"], "holds")
         self.assertEqual(check_standard("q_0(t) \\ge 0", "\\lambda_1 \\le 2", block)["verdict"], "fails")
-        r = check(document("x = x", "n = 1", "q(t) = h t\n0 \\le t \\le h\nh = 1/2\n"))
-        self.assertIn("h is not defined", r.stderr)
+        block = "q(t) = h t\n0 \\le t \\le h\nh = 1/2\n"
+        self.assertEqual(verdict("q(t) \\le 1/4", "n = 1", block)["verdict"], "holds")
+        self.assertEqual(verdict("q(t) < 1/4", "n = 1", block)["verdict"], "fails")
 
     def test_conditions_of_definitions(self):
         let = "q_{i,k}(t) = 0, \\quad i < 0 \\text{ or } i > k\nq_{0,0}(t) = 1\nq_{i,k}(t) = (1-t) q_{i,k-1}(t) + t q_{i-1,k-1}(t) \\quad (k \\ge 1)\n"
@@ -730,6 +845,55 @@ g(s,t) = s^2 t^3
             self.assertEqual(verdict(f"x + y = 1, \\quad {told}", "u = 1/3")["verdict"], "undecided")
             self.assertEqual(verdict(f"x + y = 1 \\text{{ where }} {told}", "u = 1/3")["verdict"], "holds")
             self.assertEqual(verdict(f"x + y = 2, \\quad {told}", "u = 1/3")["verdict"], "fails")
+
+    def test_what_is_supposed_of_indices(self):
+        """A range whose letter stands in what is supposed alone belongs to it, for all of it; in every order and notation, and not beyond it."""
+        for printed, ranges, expected in (
+                (r"x_3 = 0 \text{ if } x_j = 0 \text{ for } j = 1, 2", "n = 1", "fails"), (r"x_3 = 0 \text{ if } x_j = 0, j = 1, 2", "n = 1", "fails"), (r"x_1 + x_2 = 0 \text{ if } x_j = 0, j = 1, 2", "n = 1", "holds"),
+                (r"x_1 + x_2 = 0 \text{ if } x_j = 0 \ (j = 1, 2)", "n = 1", "holds"), (r"x_j = 0, j = 1, 2 \Rightarrow x_1 + x_2 = 0", "n = 1", "holds"), (r"x_j \ge 0, j = 1, 2 \Rightarrow x_3 \ge 0", "n = 1", "fails"),
+                (r"\text{If } x_j \ge 0 \text{ for } j = 1, 2, \text{ then } x_1 + x_2 \ge 0", "n = 1", "holds"), (r"\text{If } x_j \ge 0 \text{ for } j = 1, 2, \text{ then } x_3 \ge 0", "n = 1", "fails"),
+                (r"x_1 + x_2 = x_3 + x_4 \text{ if } x_j = x_{5-j} \text{ for } j = 1, 2", "n = 1", "holds"), (r"x_1 + x_2 = x_3 + x_4 \text{ if } x_j = x_{5-j}, j = 1, \dots, n", "n = 2", "holds"), (r"x_1 + x_2 = x_3 + x_4 \text{ if } x_j = x_{5-j}, j = 1, \dots, n", "n = 1", "fails"),
+                (r"x_1 + x_2 = x_3 + x_4, \quad x_j = x_{5-j}, \quad j = 1, 2", "n = 1", "undecided"), (r"x_3 \ge 0, \quad x_j \ge 0, \quad j = 1, 2", "n = 1", "fails"), (r"x_1 + x_2 \ge 0, \quad j = 1, 2, \quad x_j \ge 0", "n = 1", "holds"),
+                (r"x_i y = 0 \text{ if } x_i = 0, i = 1, 2", "n = 1", "holds"), (r"x_{3-i} = 0 \text{ if } x_i = 0, i = 1, 2", "n = 1", "undecided"), (r"x_i \ge 0 \text{ if } x_i^2 \ge 1, i = 1, 2", "n = 1", "fails"),
+                ("x_3 = 0", "x_j = 0, j = 1, 2", "fails"), ("x_3 = 0", "j = 1, 2, x_j = 0", "fails"), ("x_1 + x_2 = 0", "x_j = 0, j = 1, 2", "holds"), (r"x_3 \ge 0", r"x_j \ge 0, j = 1, 2", "fails"), (r"x_1 + x_2 \ge 0", r"j = 1, 2, x_j \ge 0", "holds"),
+                (r"x_0 \le x_2", r"x_j \le x_{j+1}, j = 0, 1", "holds"), (r"x_0 \le x_3", r"x_j \le x_{j+1}, j = 0, 1", "fails"), (r"x_0 \le x_{n+1}", r"x_j \le x_{j+1}, j = 0, \dots, n-1, n = 1..3", "fails"), (r"x_0 \le x_n", r"x_j \le x_{j+1}, j = 0, \dots, n-1, n = 1..3", "holds")):
+            with self.subTest(printed=printed, ranges=ranges):
+                self.assertEqual(verdict(printed, ranges)["verdict"], expected)
+        self.assertEqual(verdict(r"x_1 + x_3^2 \ge 0", r"x_j \ge 0, j = 1, 2")["scope"], "0 ≤ xᵢ for i = 1 to 2")
+
+    def test_bounds_of_a_variable_behind_a_formula(self):
+        """They are supposed beside intervals, of known knots, in one relation; what else can be said is asked for, and what is false with them fails."""
+        for printed, expected in (
+                (r"x y (1-y) \ge 0, \quad 0 \le x \le 1, y \in [0,1]", "holds"), (r"x y (1-y) \ge 0, \quad x > 0, y \in [0,1]", "holds"), (r"x y (1-y) \ge 0, \quad y \in [0,1], x > 0", "holds"), (r"x y (1-y) > 0, \quad y \in [0,1], x > 0", "fails"),
+                (r"x y (1-y) \ge 0 \text{ for } y \in [0,1] \text{ and } 0 \le x \le 1", "holds"), (r"x y (1-y) \ge 0 \quad (0 \le x \le 1, y \in [0,1])", "holds"), (r"\text{If } 0 \le x \le 1, y \in [0,1], \text{ then } x y (1-y) \ge 0", "holds"),
+                (r"|u| = u, \qquad k_0 \le u < k_1", "holds"), (r"|u| = u + 1, \qquad k_0 \le u < k_1", "fails"), (r"u - x_i \ge 0, \quad x_i \le u < x_{i+1}, \quad i = 0, 1, \dots, n", "holds"), (r"u - x_i > 0, \quad x_i \le u < x_{i+1}, \quad i = 0, 1, \dots, n", "fails"),
+                (r"x^2 \ge 1, x \ge 1 \text{ if } x^2 \ge 1", "undecided"), (r"x^2 \ge 1 \Rightarrow x^2 \ge 0, x \ge 1", "fails"), (r"x \ge 0, \quad x^3 \ge 0", "holds"), (r"x^2 \ge 0, \quad x \ge y", "undecided")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1", "k_i = i\n")["verdict"], expected)
+        self.assertEqual(verdict(r"x y (1-y) \ge 0, \quad y \in [0,1], x > 0", "n = 1")["scope"].removesuffix(", n = 1"), "all x, all y, y ∈ [0,1], x > 0")
+
+    def test_ranges_in_any_order(self):
+        """A range may have the letter of one behind it; in brackets and behind a wide space it needs no comma; bounds may have n."""
+        for printed, ranges, expected in (
+                (r"D_{i,n}^{(j)}(0) = 0, \quad j = 0, 1, \ldots, i-1,\ i = 1, 2, \ldots, n", "n = 3", "holds"), (r"D_{i,n}^{(j)}(0) = 0, \quad j = 0, 1, \ldots, i,\ i = 1, 2, \ldots, n", "n = 3", "fails"), ("D_{i,n}^{(j)}(0) = 0", "j = 0..i-1, i = 1..n, n = 1..3", "holds"),
+                (r"B_i^2(t) \ge 0\ (i = 0, 1, 2)", r"0 \le t \le 1", "holds"), (r"B_i^2(t) \ge 0~(i = 0, 1, 2)", r"0 \le t \le 1", "holds"), (r"B_i^2(t) \ge 0 \qquad i = 0, 1, 2", r"0 \le t \le 1", "holds"), (r"B_i^2(t) > 0\;(i = 0, 1, 2)", r"0 \le t \le 1", "fails")):
+            with self.subTest(printed=printed, ranges=ranges):
+                self.assertEqual(verdict(printed, ranges, "D_{i,n}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n")["verdict"], expected)
+        piece = r"g_i(t) = t^i, \quad t \in [0,1],\; i = 1, 2, \dots, 2," + "\n"
+        self.assertEqual([verdict(f"g_{k}(1/2) = 1/{2**k}", "n = 1", piece)["verdict"] for k in (2, 3)], ["holds", "undecided"])
+        bounds = r"-\binom ni \le y_i \le \binom{n}{i-1}" + "\n"
+        self.assertEqual(verdict(r"y_i + \binom{n}{i} \ge 0", "n = 1..4, i = 0..n", bounds)["verdict"], "holds")
+        self.assertEqual(verdict(r"y_i + \binom{n}{i} \ge 1", "n = 1..4, i = 0..n", bounds)["verdict"], "fails")
+        self.assertIn("the bounds of y_i have n, which has no value here", check(document("y_2 + 3 \\ge 0", "t = 1", bounds)).stderr)
+
+    def test_what_can_be_said_or_supposed_behind_ranges_is_asked_for(self):
+        for printed in (r"B_i^2(t) = B_{2-i}^2(1-t), \quad i = 0, 1, 2, \quad B_0^2(t) + B_2^2(t) = 1", r"B_i^2(t) = B_{2-i}^2(1-t), \quad i = 0, 1, 2, \text{ and } B_0^2(t) + B_2^2(t) = 1", r"B_i^2(t) = B_{2-i}^2(1-t), i = 0, 1, 2, \qquad \sum_{i=0}^2 B_i^2(t) = 1",
+                        r"B_i^2(0) = 0, i = 1, 2, B_i^2(1) = 7, i = 0, 1", r"B_i^2(t) = B_i^2(u), i = 0, 1, 2, u = t", r"(u+v) B_i^2(t) = B_i^2(t), i = 0, 1, 2, u + v = 1", r"x y (1-y) \ge 0, y \in [0,1], x = y", r"x (1-x) \ge 0 \text{ for } x \in [0,1], F(x) = x"):
+            with self.subTest(printed=printed):
+                self.assertIn("is this said as well, or supposed? write \\text{where} before what is supposed", check(document(printed, "n = 1", "t \\in \\mathbb{R}\n")).stderr)
+        self.assertEqual(verdict(r"(u+v) B_i^2(t) = B_i^2(t), i = 0, 1, 2, \text{ where } u + v = 1", "t = 1/3")["verdict"], "holds")
+        self.assertEqual(verdict(r"\sum_{k=0}^2 B_k^2(t) = 1, \quad B_i^2(t) \ge 0, \quad i = 0, 1, 2", r"0 \le t \le 1")["verdict"], "holds")
+        self.assertIn("is the range of i that of what is supposed alone?", check(document(r"x_i \ge 0, i = 1, 2 \Rightarrow y^2 + x_i \ge 0")).stderr)
 
     def test_arguments_are_left_out_behind_a_semicolon_alone(self):
         self.assertEqual(verdict("G(t) = 2 t y", "n = 1", "G(t;y) = 2 t y\n")["verdict"], "holds")
@@ -1476,6 +1640,116 @@ class Ranges(unittest.TestCase):
             r = check(document("x = x").replace(":for:", f":find: {parameter}\n:for:"))
             self.assertEqual(r.returncode, 2)
             self.assertIn(words, r.stderr)
+
+
+class RowsAndLists(unittest.TestCase):
+    """Rows of cases and matrices, lists of numbers, and texts, as papers print them: each read as it is meant, or refused."""
+
+    LETTERS = "a, c, e, m, p, q \\in \\mathbb{R}\n"
+
+    def test_the_space_behind_a_row_is_no_factor(self):
+        """The letters of 3mm, 1ex, 5pt have a meaning here, and are none of the formula."""
+        for space in ("[3mm]", "[1ex]", "*", "*[-.5em]", "[ 2 pt ]", "[\\jot]", "[1.5\\baselineskip]"):
+            for printed, right, wrong in ((f"\\begin{{cases}} x, & x \\ge 0, \\\\{space} -x, & x < 0. \\end{{cases}} = |x|", "|x|", "|x| + m"), (f"\\left\\{{\\begin{{array}}{{ll}} x, & x \\ge 0, \\\\{space} -x, & x < 0. \\end{{array}}\\right. = |x|", "-x, &", "x, &"),
+                                   (f"\\begin{{vmatrix}} x & 1 \\\\{space} m & x \\end{{vmatrix}} = x^2 - m", "m &", "2m &"), (f"\\begin{{pmatrix}} x & 1 \\\\{space} m & x \\end{{pmatrix}} \\begin{{pmatrix}} 1 \\\\{space} x \\end{{pmatrix}} = \\begin{{pmatrix}} 2x \\\\{space} m + x^2 \\end{{pmatrix}}", "2x", "3x")):
+                with self.subTest(printed=printed):
+                    self.assertEqual(verdict(printed, "n = 1", self.LETTERS)["verdict"], "holds")
+                    self.assertEqual(verdict(printed.replace(right, wrong), "n = 1", self.LETTERS)["verdict"], "fails")
+                    page = check(document(printed, "n = 1", self.LETTERS)).stdout
+                    self.assertFalse([s for s in ("mm]", "ex]", "em]", "pt ]", "jot]", "skip]", "*") if s in page], page)
+
+    def test_lists_of_numbers_are_the_numbers_that_they_show(self):
+        """(-x)^n = x^n for the even ones alone: in :for:, behind the formula, under a quantifier, in a definition, in cases."""
+        even = ("n = 2, 4, \\dots, 8", "n = 0, 2, 4, \\ldots, 10", "n = 8, 6, \\dots, 0", "n = 0(2)8", "n = 2, 4, 8", "n \\in \\{0, 2, 4\\}", "n \\in \\{2, 4, \\dots, 8\\}", "n = 1..8, n \\text{ even}", "n \\text{ even}, n = 1..8",
+                "n = 1..8 \\text{ even}", "\\text{for even } n = 1..8", "m = 1..4, n = 2m")
+        odd = ("n = 1, 3, \\dots, 7", "n = 1(2)7", "n = 1, 3, 7", "n \\in \\{1, 3, \\dots, 9\\}", "n = 1..8, n\\text{ odd}", "n = 2, 4, 5", "n = 2, 3, 4", "n = 2, 3, \\dots, 8", "n = 8, 7, \\dots, 1", "n = 0..1", "n = 0(1)1", "n \\in \\{3\\}")
+        for ranges in even + odd:
+            with self.subTest(ranges=ranges):
+                self.assertEqual(verdict("(-x)^n = x^n", ranges)["verdict"], "holds" if ranges in even else "fails")
+                if "even" not in ranges and "odd" not in ranges and "m =" not in ranges:
+                    self.assertEqual(verdict(f"(-x)^n = x^n, \\quad {ranges}", "x \\in \\mathbb{R}")["verdict"], "holds" if ranges in even else "fails")
+        for printed, expected, *rest in (("(-x)^n = x^n \\text{ for even } n", "holds"), ("(-x)^n = x^n \\text{ for odd } n", "fails"), ("(-x)^n = x^n, \\quad n \\text{ even}", "holds"), ("(-x)^n = -x^n \\text{ if $n$ is odd}", "holds"),
+                                         ("(-x)^n = -x^n \\text{ for odd } n \\ge 3", "holds"), ("\\text{if } n \\text{ is even} \\text{ then } (-x)^n = x^n", "holds"), ("\\text{if } n \\text{ is odd} \\text{ then } (-x)^n = x^n", "fails"),
+                                         ("(-x)^n = \\begin{cases} x^n, & n \\text{ even}, \\\\ -x^n, & n \\text{ odd} \\end{cases}", "holds"), ("(-x)^n = \\begin{cases} x^n, & n \\text{ odd}, \\\\ -x^n, & \\text{otherwise} \\end{cases}", "fails"),
+                                         ("\\forall i \\in \\{0, 2, \\dots, 8\\}: (-x)^i = x^i", "holds"), ("\\forall i \\in \\{0, 2, 4\\}: (-x)^i = x^i", "holds"), ("\\forall i \\in \\{0, 2, \\dots, 2n\\}: (-x)^i = x^i", "holds"), ("\\forall i \\in \\{1, 3, \\dots, 2n+1\\}: 1^i = (-1)^i", "fails"),
+                                         ("\\exists i \\in \\{1, 2, 4\\}: (-1)^i = -1", "holds"), ("\\exists i \\in \\{0, 2, 4\\}: (-1)^i = -1", "fails"), ("B_i^n(0) B_i^n(1) = 0, \\quad i = 0, n", "holds", "n = 1..4"), ("B_i^n(0) + B_i^n(1) = 0, \\quad i = 1, \\dots, n-2, n-1", "holds", "n = 3..4"),
+                                         ("B_i^n(0) + B_i^n(1) = 0, \\quad i = 1, \\dots, n-1, n", "fails", "n = 3..4"), ("(-x)^i = x^i, \\quad i = 0, 2, \\dots, 2n", "holds"), ("(-x)^i = x^i, \\quad i = 0, 2, \\dots, n", "undecided"), ("x^i = \\begin{cases} 1, & i = 0, \\\\ x^i, & i = 1, \\dots, n \\end{cases}, \\quad i = 0, \\dots, n", "holds"),
+                                         ("x^i = \\begin{cases} 1, & i = 0, 1, \\\\ x^i, & \\text{otherwise} \\end{cases}, \\quad i = 0, \\dots, n", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, *(rest or ("n = 1..4",)))["verdict"], expected)
+        for i, expected in ((2, "x^2"), (3, "0"), (4, "x^4"), (5, "-x^5"), (7, "-x^7")):
+            with self.subTest(i=i):
+                let = "g_i(t) = t^i, \\quad i = 0, 2, 4\ng_i(t) = -t^i, \\quad i = 5, 7, \\dots, 9\ng_i(t) = 0\n"
+                self.assertEqual([verdict(f"g_{i}(x) = {right}", "n = 1", let)["verdict"] for right in (expected, f"{expected} + 1")], ["holds", "fails"])
+        self.assertIn("n = 2, 4, …, 8", verdict("(-x)^n = x^n", "n = 2, 4, \\dots, 8")["scope"])
+        self.assertIn("n even", verdict("(-x)^n = x^n", "n = 1..8, n \\text{ even}")["scope"])
+        for proposal, expected in (("m = 1, 2, \\dots, \\quad n = 2m", "holds"), ("m = 0, 1, \\dots, \\quad n = 2m + 1", "fails")):
+            self.assertEqual(verdict("(-x)^n = x^n", proposal)["verdict"], expected)
+
+    def test_words_in_cases_and_behind_formulas(self):
+        """In boxes and in upright letters, with a comma, full stop or semicolon, and with formulas between dollar signs inside."""
+        for otherwise in ("\\text{otherwise,}", "\\text{otherwise},", "\\text{otherwise}.", "\\text{otherwise;}", "\\text{otherwise};", "\\text{Otherwise.}", "\\mbox{otherwise.}", "\\hbox{otherwise.}", "\\textrm{else.}", "\\text{ otherwise }",
+                          "\\mathrm{otherwise}", "{\\rm otherwise}", "\\mathrm{otherwise.}", "\\operatorname{otherwise}", "\\textnormal{elsewhere}", "\\text{in all other cases}", "\\text{if $x<0$}", "\\text{if $x<0$.}", "\\mbox{if $x<0$}.", "\\text{for } x<0;", "\\text{if~}x<0", "\\mathrm{if}\\ x<0", "{\\rm if}~x<0",
+                          "\\hbox{if }x<0", "\\text{provided that } x < 0", "\\text{when $x < 0$ and $x < 1$,}", "\\textit{if } x < 0"):
+            for printed in (f"\\begin{{cases}} x & \\text{{if }} x \\ge 0, \\\\ -x & {otherwise} \\end{{cases}}", f"\\left\\{{\\begin{{array}}{{ll}} x, & x \\ge 0; \\\\ -x, & {otherwise} \\end{{array}}\\right."):
+                with self.subTest(printed=printed):
+                    self.assertEqual([verdict(f"{printed} = {right}", "n = 1")["verdict"] for right in ("|x|", "x")], ["holds", "fails"])
+        page = check(document("|x| = \\begin{cases} x & \\mbox{if $x \\ge 0$} \\\\ -x & {\\rm otherwise} \\end{cases}", "n = 1")).stdout
+        self.assertFalse([s for s in ("mbox", "$", "rm") if s in page], page)
+        for printed, expected in (("x^2 \\ge 1 \\text{ if $x \\ge 1$ or $x \\le -1$}", "holds"), ("x^2 \\ge 1 \\text{ if $x \\ge 0$ or $x \\le -1$}", "fails"), ("\\text{If $x \\ge 1$, then } x^2 \\ge 1", "holds"), ("\\text{If $x \\ge 0$, then } x^2 \\ge 1", "fails"), ("x^2 \\ge 1 \\hbox{ for all $x \\ge 1$}", "holds"), ("x^2 \\ge 1 \\textnormal{ for all $x \\ge 0$}", "fails"),
+                                  ("$x^2 \\ge 1 \\text{ if $x \\ge 1$}$", "holds"), ("$x^2 \\ge 1 \\text{ if $x \\ge 0$}$", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1")["verdict"], expected)
+        for words in ("\\text{if not}", "\\text{unless}", "\\mathrm{unless}", "\\text{for some}"):
+            r = check(document(f"\\begin{{cases}} x & {words}\\ x \\ge 0, \\\\ -x & \\text{{otherwise}} \\end{{cases}} = |x|", "n = 1"))
+            self.assertEqual((r.returncode, r.stdout), (2, ""), words)
+        self.assertIn("\\mathrm{if} is not defined", check(document("x_{\\mathrm{if}} = 1", "n = 1")).stderr)
+
+    def test_how_derivatives_are_shown(self):
+        for printed, shown in (("\\frac{d}{dt} F(t) = 2t", "d/dt F(t)"), ("\\frac{\\partial^2}{\\partial t^2} F(t) = 2", "∂²/∂t² F(t)"), ("\\frac{\\mathrm{d}}{\\mathrm{d}x} x^2 = 2x", "d/dx x²")):
+            self.assertIn(shown, check(document(printed, "n = 1", "t \\in \\mathbb{R}\n")).stdout)
+
+    def test_formulas_below_one_another(self):
+        """As definitions and as a statement; rows that go on with the one before are no formulas of their own, and values with conditions are none."""
+        three = ("b_0(t) = (1-t)^2", "b_1(t) = 2t(1-t)", "b_2(t) = t^2")
+        for begin, end, equal in (("\\begin{cases}", "\\end{cases}", "="), ("\\left\\{\\begin{array}{l}", "\\end{array}\\right.", "="), ("\\left\\{ \\begin{array}{rcl}", "\\end{array} \\right.", "&=&"), ("\\begin{aligned}", "\\end{aligned}", "&="), ("\\left\\{\\begin{aligned}", "\\end{aligned}\\right.", "&="), ("\\begin{gathered}", "\\end{gathered}", "="), ("\\begin{split}", "\\end{split}", "&=")):
+            for comma in (", \\\\", "\\\\[2mm]", "; \\\\*"):
+                rows = f"{begin} {comma.join(three).replace('=', equal)}. {end}"
+                with self.subTest(rows=rows):
+                    self.assertEqual([verdict(f"b_0(t) + b_1(t) + b_2(t) = {right}", "n = 1", rows + "\nt \\in \\mathbb{R}\n")["verdict"] for right in ("1", "2")], ["holds", "fails"])
+                    let = "\n".join(three) + "\nt, c \\in \\mathbb{R}\n"
+                    self.assertEqual(verdict(f"{begin} b_0(0) {equal} 1{comma} b_1(t) + b_0(t) {equal} 1 - b_2(t) {end}", "n = 1", let)["verdict"], "holds")
+                    self.assertEqual(verdict(f"{begin} b_0(0) {equal} 1{comma} b_1(t) + b_0(t) {equal} 1 + b_2(t) {end}", "n = 1", let)["verdict"], "fails")
+        for printed, expected in (("\\begin{aligned} (x+y)^2 &= x^2 + 2xy \\\\ &\\quad + y^2 \\end{aligned}", "holds"), ("\\begin{aligned} (x+y)^2 = {}& x^2 + 2xy \\\\ & + y^2 \\\\ = {}& x(x+2y) + y^2 \\end{aligned}", "holds"), ("\\begin{split} x^2 &= x \\cdot \\\\ & x \\end{split}", "holds"), ("\\begin{aligned} &x^2 \\ge 0 \\\\ &x^2 + 1 > 0 \\end{aligned}", "holds"),
+                                  ("\\begin{gathered} x = \\left(x \\\\ + y - y\\right) \\\\ y = y + x - x \\end{gathered}", "holds"), ("\\begin{cases} x & x \\ge 0 \\\\ -x & x < 0 \\end{cases} = |x|", "holds"), ("\\begin{cases} x, & y = 1, \\\\ 2x, & y \\ne 1 \\end{cases} = x", "fails"),
+                                  ("\\begin{cases} x + y = 2 \\\\ x - y = 0 \\end{cases} \\Rightarrow x = 1", "holds"), ("\\begin{cases} x + y = 2 \\\\ x - y = 0 \\end{cases} \\iff x = 1, y = 1", "holds"), ("\\begin{cases} x + y = 2 \\\\ x - y = 1 \\end{cases} \\Rightarrow x = 1", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1")["verdict"], expected)
+
+    def test_a_definition_behind_the_condition_of_another_one(self):
+        """A condition on a function that is known stays one."""
+        let = "g_{0,m}(t) = (1-t)^m, g_{i,m}(t) = \\binom{m}{i} t^i (1-t)^{m-i}, \\quad i = 1, 2, \\dots, m-1, g_{m,m}(t) = t^m\n"
+        self.assertEqual(verdict("\\sum_{i=0}^n g_{i,n}(x) = 1", "n = 2..4", let)["verdict"], "holds")
+        self.assertEqual(verdict("\\sum_{i=0}^n g_{i,n}(x) = 1", "n = 2..4", let.replace("= t^m", "= t"))["verdict"], "fails")
+        self.assertEqual(verdict("h(2) = 0", "n = 1", "h(t) = 1, \\quad t > 0, F(t) = 1\nh(t) = 0\n")["verdict"], "holds")
+        self.assertEqual(verdict("h(1) = 0", "n = 1", "h(t) = 1, \\quad t > 0, F(t) = 1\nh(t) = 0\n")["verdict"], "fails")
+
+    def test_rows_as_papers_print_them(self):
+        """What stands for the page alone is passed over; a sign before a condition is none of it."""
+        for amount in ("\\left\\{ \\begin{array}{lr} x, & \\mbox{if } x \\geq 0 \\\\ -x, & \\mbox{if } x < 0 \\end{array} \\right.", "\\left\\lbrace \\begin{array}{ll} x & ,\\ x \\geq 0 \\\\ -x & ,\\ x < 0 \\end{array} \\right.", "\\begin{cases} x &: x \\ge 0 \\\\ -x &: x < 0 \\end{cases}",
+                       "\\begin{cases} \\phantom{-}x, \\quad x \\ge 0,\\\\ -x, \\quad x < 0. \\end{cases}", "\\begin{cases} x & (x \\ge 0) \\\\ -x & (x < 0) \\end{cases}", "\\left\\{ \\begin{array}{@{}l@{\\quad}l@{}} x, & x \\ge 0, \\\\ -x, & x<0 \\end{array} \\right.", "\\left\\{ \\begin{array}{l p{2cm}|} x, & x \\ge 0, \\\\ -x, & x<0 \\end{array} \\right.",
+                       "\\left\\{ \\begin{array}[c]{ll} x, & x \\ge 0, \\\\ -x, & x<0 \\end{array} \\right.", "\\begin{cases} x, & x \\ge 0, \\\\ \\hline -x, & x<0 \\end{cases}", "\\begin{cases} x, & x \\ge 0, \\\\ \\noalign{\\medskip} -x, & x<0 \\end{cases}", "\\begin{cases} x & x \\in [0,\\infty), \\\\ -x & x \\in (-\\infty,0) \\end{cases}",
+                       "\\begin{cases} x & & x \\ge 0 \\\\ -x & & x < 0 \\end{cases}", "\\begin{cases} x, \\text{ if } x \\ge 0 \\\\ -x, \\text{ if } x < 0 \\end{cases}", "\\biggl\\{ \\begin{array}{ll} x, & x \\ge 0 \\cr -x, & x<0, \\end{array}", "\\begin{cases} x, & x > 0 \\text{ or } x = 0, \\\\ -x, & x < 0 \\end{cases}"):
+            with self.subTest(amount=amount):
+                self.assertEqual([verdict(f"|x| = {right}", "n = 1")["verdict"] for right in (amount, amount.replace("-x", "-2x"))], ["holds", "fails"])
+        for printed, expected in (("\\begin{eqnarray} (x+y)^2 &=& x^2 + @xy + y^2 \\end{eqnarray}", ""), ("\\begin{array}{rcl} (x+y)^2 &=& x^2 + @xy \\\\ && + y^2 \\end{array}", ""), ("\\begin{align} (x-y)^2 &= x^2 - 2xy + y^2 \\\\ (x+y)^2 &= x^2 + @xy + y^2 \\end{align}", ""), ("\\begin{multline*} (x+y)^2 = x^2 \\\\ + @xy + y^2 \\end{multline*}", ""), ("(x+y)^2 = x^2 + @xy \\\\ + y^2", ""),
+                                  ("(x+y)^2 &= x^2 + @xy \\\\ &\\quad + y^2", ""), ("(x+y)^2 \\\\ = x^2 + @xy + y^2", ""), ("(x-y)^2 = x^2 - 2xy + y^2 \\\\ (x+y)^2 = x^2 + @xy + y^2", ""), ("\\left. \\begin{array}{l} x = 1 \\\\ y = @ \\end{array} \\right\\} \\Rightarrow x+y = 3", ""), ("\\left| \\begin{array}{cc} x & y \\\\ @y & x \\end{array} \\right| = x^2-2y^2", ""),
+                                  ("\\left( \\begin{array}{cc} x & y \\\\ y & x \\end{array} \\right) \\left( \\begin{array}{c} 1 \\\\ @ \\end{array} \\right) = \\left( \\begin{array}{c} x + 2y \\\\ y + 2x \\end{array} \\right)", "")):
+            with self.subTest(printed=printed):
+                right, wrong = [verdict(printed.replace("@", factor), "n = 1")["verdict"] for factor in "23"]
+                self.assertTrue(right == "holds" and wrong != "holds")
+        page = check(document("|x| = \\left\\{ \\begin{array}[c]{@{}ll} x, & x \\ge 0, \\\\ \\hline -x, & x<0 \\end{array} \\right.", "n = 1")).stdout
+        self.assertFalse([s for s in ("ll", "[c]", "@", "hline") if s in page.split("Verdict")[0]], page)
 
 
 class Mistakes(unittest.TestCase):

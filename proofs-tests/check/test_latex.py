@@ -242,6 +242,28 @@ b_2(t) = t^2
                 with self.subTest(body=body):
                     self.assertEqual(verdicts(source(body)), {"a": expected})
 
+    def test_rows_without_a_comma_are_formulas_unless_they_go_on(self):
+        """Of an inner environment: a row that begins at the place of the relation, or with a sign, goes on."""
+        for rows, expected in (("F(u) &= u^2 \\\\ F(2) &= @", {"4": "holds", "5": "fails"}), ("&F(u) = u^2 \\\\[1mm] &F(2) = @", {"4": "holds", "5": "fails"}), ("F(u) &= u^2 \\\\ &= u \\cdot u + @ - 4 \\\\ F(1) &= 1", {"4": "holds", "5": "fails"}),
+                               ("(u + 2)^2 = {}& u^2 \\\\ & + @ u \\\\ & {} + 4", {"4": "holds", "5": "fails"}), ("(u + 2)^2 &= u^2 + \\\\ &\\quad @ u + 4", {"4": "holds", "5": "fails"}), ("(u + 2)^2 =& u^2 + @ \\cdot \\\\ & u + 4", {"4": "holds", "5": "fails"}),
+                               ("F(u) &= \\begin{cases} u^2 & u \\ge 0 \\\\ u^2 & u < 0 \\end{cases} \\\\ F(2) &= @", {"4": "holds", "5": "fails"}), ("u F(2) &= @ u \\\\ u F(1) &= u", {"4": "holds", "5": "fails"})):
+            for name in ("aligned", "split"):
+                for value, verdict in expected.items():
+                    body = f"\\begin{{equation}}\\label{{a}}\n\\begin{{{name}}}\n{rows.replace('@', value)}\n\\end{{{name}}}\n\\end{{equation}}"
+                    with self.subTest(body=body):
+                        self.assertEqual(verdicts(source(body)), {"a": verdict})
+
+    def test_definitions_below_one_another(self):
+        """In a brace of every kind, the second for a list of indices, and the recursion of B-splines without a comma between."""
+        rows = "c_{0,m}(t) = (1-t)^m,\\\\[2mm]\nc_{i,m}(t) = \\binom{m}{i} t^i (1-t)^{m-i}, \\quad i = 1, 2, \\ldots, m-1,\\\\\nc_{m,m}(t) = t^m."
+        for begin, end in (("\\left\\{\\begin{array}{l}", "\\end{array}\\right."), ("\\begin{cases}", "\\end{cases}"), ("\\left\\{\\begin{aligned}", "\\end{aligned}\\right."), ("\\begin{gathered}", "\\end{gathered}")):
+            for last, expected in (("t^m", "holds"), ("t^m + t", "fails")):
+                body = f"% cagd: let t \\in \\mathbb{{R}}\n\\begin{{equation}}% cagd: definition\n{begin}\n{rows.replace('t^m.', last + '.')}\n{end}\n\\end{{equation}}\n\\begin{{equation}}\\label{{a}}% cagd: for n = 2..4\n\\sum_{{i=0}}^n c_{{i,n}}(t) = 1 \\end{{equation}}"
+                with self.subTest(body=body):
+                    self.assertEqual(verdicts(source(body)), {"a": expected})
+        body = "% cagd: let v_i \\le v_{i+1}\n% cagd: let 0/0 = 0\n\\begin{equation}% cagd: definition\n\\begin{aligned}\nN_{i,0}(t) &= \\begin{cases} 1, & \\text{if $v_i \\le t < v_{i+1}$,}\\\\ 0, & \\text{otherwise.} \\end{cases}\\\\\nN_{i,p}(t) &= \\frac{t-v_i}{v_{i+p}-v_i} N_{i,p-1}(t)\\\\\n&\\quad + \\frac{v_{i+p+1}-t}{v_{i+p+1}-v_{i+1}} N_{i+1,p-1}(t)\n\\end{aligned}\n\\end{equation}\n\\begin{equation}\\label{a} N_{0,1}(u) @ \\end{equation}"
+        self.assertEqual([verdicts(source(body.replace("@", said))) for said in ("\\ge 0", "> 0")], [{"a": "holds"}, {"a": "fails"}])
+
     def test_what_is_skipped(self):
         self.assertEqual(verdicts(source("\\begin{equation}\\label{a} x = x\\end{equation}\\begin{equation}\\label{b} x = 1 % cagd: skip\n\\end{equation}")),
                          {"a": "holds"})

@@ -137,7 +137,7 @@ static void ranges_have_the_numbers_they_say(void **state)
             snprintf(text, sizeof text, "(i - (%d)) (x_i^2 + 1) \\ne 0", number);
             const cagd_tree *t = statement_of(text);
             assert_non_null(t);
-            assert_true(cagd_make_indices_whole(&scope, t));
+            assert_true(cagd_make_indices_whole(&scope, t, &error));
             cagd_check(&scope, t, 20, &found);
             if (found.answer != (fails ? CAGD_FAILS : CAGD_HOLDS) || found.cases != 4 || found.failing != fails)
                 fail_msg("%s, %d: answer %d, %ld of %ld cases fail", spelled[k], number, (int)found.answer,

@@ -1,0 +1,165 @@
+/* read_rows.c -- formulas below one another, at the beginning of what is read: their environment is opened, and commas are put between them.
+ *
+ *     \left\{ \begin{array}{l} b_0(t) = 1 - t, \\ b_1(t) = t \end{array} \right.       \begin{cases} x = 1 \\ y = 2 \end{cases}
+ *     \begin{aligned} f(t) &= t^2 \\ &= t \cdot t \\ g(t) &= 1 \end{aligned}
+ *
+ * Rows of values with conditions are no formulas: \begin{cases} x & x \ge 0 \\ -x & x < 0 \end{cases}. */
+#include "exact/expression/reader.h"
+#include "exact/words.h"
+
+#include <string.h>
+
+static int is_word(const cagd_token *t, const char *word) { return strcmp(t->word, word) == 0; }
+
+static int is_relation(const cagd_token *t)
+{
+    static const char *const words[] = {"=", ":=", "\\ne", "<", "\\le", ">", "\\ge"};
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (is_word(t, words[k]))
+            return 1;
+    return 0;
+}
+
+static int change_of_brackets(const cagd_token *t)
+{
+    return is_word(t, "(") + is_word(t, "[") - is_word(t, ")") - is_word(t, "]");
+}
+static int change_of_groups(const cagd_token *t)
+{
+    return is_word(t, "{") + is_word(t, "\\begin") - is_word(t, "}") - is_word(t, "\\end");
+}
+static int change_of_depth(const cagd_token *t) { return change_of_brackets(t) + change_of_groups(t); }
+
+/* Whether what stands before goes on behind it: a sign, a relation, or a comma. */
+static int ends_open(const cagd_token *t)
+{
+    static const char *const signs[] = {",", ";", "+", "-", "*", "\\times", "/", "\\dots", "\\Rightarrow", "\\iff"};
+    for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
+        if (is_word(t, signs[k]))
+            return 1;
+    return is_relation(t);
+}
+
+/* Behind the group at t, {aligned} or {ll}; its letters go to `name`. */
+static const cagd_token *behind_group(const cagd_token *t, char *name, size_t room)
+{
+    size_t n = 0;
+    if (!is_word(t, "{"))
+        return t;
+    for (t++; t->kind != CAGD_TOKEN_END && !is_word(t, "}"); t++)
+        if (n + 1 < room)
+            name[n++] = t->word[0];
+    name[n] = '\0';
+    return t->kind == CAGD_TOKEN_END ? t : t + 1;
+}
+
+/* Whether the row at t, up to `stop`, has a relation, with no comma, text or & before it, but for an & right before it, or at the beginning. */
+static int is_formula(const cagd_token *t, const cagd_token *stop)
+{
+    int depth = 0;
+    t += is_word(t, "&");
+    for (; t < stop && !is_word(t, "\\\\"); depth += change_of_depth(t), t++) {
+        if (depth > 0)
+            continue;
+        if (is_relation(t) || (is_word(t, "&") && is_relation(t + 1)))
+            return 1;
+        if (is_word(t, "&") || is_word(t, ",") || is_word(t, "\\text"))
+            return 0;
+    }
+    return 0;
+}
+
+/* Whether the row at t begins with a sign, a relation or a word that goes on with what is before it. */
+static int goes_on_by_sign(const cagd_token *t)
+{
+    static const char *const signs[] = {"+",     "-", "*",     "\\times", "/", "\\text", "\\Rightarrow",
+                                        "\\iff", ",", "\\dots"};
+    t += is_word(t, "&") && !is_relation(t);
+    for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
+        if (is_word(t, signs[k]))
+            return 1;
+    return is_relation(t);
+}
+
+/* Whether the row at t goes on with the formula before it. */
+static int goes_on(const cagd_token *t, const cagd_token *stop, const cagd_token *first)
+{
+    return (is_word(t, "&") && !is_word(first, "&")) || /* at the place of the relation */
+           goes_on_by_sign(t) || !is_formula(t, stop);
+}
+
+/* The end of the environment whose rows begin at t. */
+static const cagd_token *end_of_rows(const cagd_token *t)
+{
+    for (int depth = 0; t->kind != CAGD_TOKEN_END; t++) {
+        if (depth == 0 && is_word(t, "\\end"))
+            return t;
+        depth += is_word(t, "\\begin") - is_word(t, "\\end");
+    }
+    return t;
+}
+
+/* The rows from `first` to `end` go to `to` with commas between; what is behind them comes out.  Where they are in no environment, a row that neither has a
+ * relation nor begins with a sign is left as it is. */
+static cagd_token *put_rows(cagd_token *to, const cagd_token *start, const cagd_token *first, const cagd_token *end,
+                            int is_environment)
+{
+    int groups = 0, brackets = 0;
+    for (const cagd_token *s = first; s < end; s++) {
+        int is_break = groups == 0 && is_word(s, "\\\\");
+        if (is_break && brackets == 0 && s + 1 < end && to > start && !ends_open(to - 1) && !goes_on(s + 1, end, first))
+            *to++ = (cagd_token){CAGD_TOKEN_SIGN, ",", s->from, s->to};
+        if (is_break && brackets == 0 && to > start && is_word(to - 1, ";"))
+            to[-1].word = ",";
+        int stays = is_break && !is_environment && !(to > start && is_word(to - 1, ",")) && !goes_on_by_sign(s + 1);
+        if ((is_break && !stays) || (groups == 0 && is_word(s, "&")))
+            continue;
+        groups += change_of_groups(s), brackets += change_of_brackets(s);
+        *to++ = *s;
+    }
+    return to;
+}
+
+/* Whether a row ends outside of all groups, and another one follows. */
+static int has_rows(const cagd_token *t)
+{
+    for (int depth = 0; t->kind != CAGD_TOKEN_END; t++) {
+        depth += change_of_groups(t);
+        if (depth == 0 && is_word(t, "\\\\") && t[1].kind != CAGD_TOKEN_END)
+            return 1;
+    }
+    return 0;
+}
+
+void cagd_open_rows(cagd_token list[])
+{
+    static const char *const names[] = {"cases",     "dcases",   "rcases",   "array",    "aligned",
+                                        "alignedat", "split",    "gathered", "equation", "align",
+                                        "eqnarray",  "multline", "gather",   "flalign",  "alignat"};
+    enum { OF_VALUES = 4 };
+    char name[16] = "", columns[16];
+    cagd_token *t = list;
+    int brace = is_word(t, "\\{"), which = -1;
+    t += brace;
+    const cagd_token *first = is_word(t, "\\begin") ? behind_group(t + 1, name, sizeof name) : t;
+    size_t n = strlen(name);
+    name[n > 0 && name[n - 1] == '*' ? n - 1 : n] = '\0';
+    for (int k = 0; k < (int)(sizeof names / sizeof *names); k++)
+        which = strcmp(names[k], name) == 0 ? k : which;
+    if (strcmp(name, "array") == 0 || strcmp(name, "alignedat") == 0 || strcmp(name, "alignat") == 0)
+        first = behind_group(first, columns, sizeof columns);
+    const cagd_token *end = which >= 0 ? end_of_rows(first) : NULL;
+    if (end == NULL || end->kind == CAGD_TOKEN_END || ((which < OF_VALUES || brace) && !is_formula(first, end))) {
+        for (end = list; end->kind != CAGD_TOKEN_END;)
+            end++;
+        if (has_rows(list))
+            *put_rows(list, list, list, end, 0) = *end;
+        return;
+    }
+    cagd_token *to = put_rows(list, list, first, end, 1);
+    const cagd_token *behind = behind_group(end + 1, columns, sizeof columns);
+    behind += !brace && is_word(behind, "\\}"); /* \left. ... \right\} */
+    while (behind->kind != CAGD_TOKEN_END)
+        *to++ = *behind++;
+    *to = *behind;
+}
