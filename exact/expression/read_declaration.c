@@ -258,6 +258,40 @@ static void open_last_bracket(const cagd_reader *r)
     t->word = ",", last->kind = CAGD_TOKEN_END;
 }
 
+/* \begin{cases} b_0(t) = ..., \\ b_1(t) = ... \end{cases} with nothing before it: each row a definition, with an END behind it: their number; 1 for another line. */
+static int open_cases(cagd_reader *r)
+{
+    enum { AROUND = 4 };                                    /* \begin { cases } */
+    cagd_token *t = (cagd_token *)r->token, *end = t, *out; /* they are this reader's own */
+    while (end->kind != CAGD_TOKEN_END)
+        end++;
+    if (end - t < 2 * AROUND || strcmp(t->word, "\\begin") != 0)
+        return 1;
+    cagd_reader at = *r;
+    at.token = t + 1;
+    if (!cagd_environment(&at, "cases"))
+        return 1;
+    int rows = 1;
+    long around = at.token - t;
+    at.token = end - around + 1;
+    if (strcmp(end[-around].word, "\\end") != 0 || !cagd_environment(&at, "cases") || at.token != end)
+        return 1;
+    out = t;
+    for (const cagd_token *k = t + around; k < end - around; k++) {
+        int is_break = strcmp(k->word, "\\\\") == 0;
+        if (strcmp(k->word, "&") == 0)
+            continue;
+        if (is_break && out > t && strchr(",;.", out[-1].word[0]) != NULL)
+            out--;
+        *out = *k;
+        out->kind = is_break ? CAGD_TOKEN_END : k->kind;
+        rows += is_break;
+        out++;
+    }
+    *out = *end;
+    return rows - (out > t && out[-1].kind == CAGD_TOKEN_END);
+}
+
 int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error)
 {
     cagd_reader r;
@@ -268,9 +302,16 @@ int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, 
         scope->zero_over_zero = 1;
         return 1;
     }
+    int rows = open_cases(&r);
     if (is_definition(r.token))
         open_last_bracket(&r);
     int good = is_definition(r.token) ? definition(&r, scope) : ranges(&r, scope, &before);
+    for (; rows > 1 && good; rows--) {
+        cagd_pass(&r, ",");
+        good = r.token->kind == CAGD_TOKEN_END
+                   ? (r.token++, definition(&r, scope))
+                   : cagd_refuse_token(&r, "expected the end of the row, not %s", cagd_name_of_next(&r)) != NULL;
+    }
     if (good && (cagd_pass(&r, "."), r.token->kind != CAGD_TOKEN_END))
         good = cagd_refuse_token(&r, "expected the end of the line, not %s", cagd_name_of_next(&r)) != NULL;
     if (!good)
