@@ -153,6 +153,14 @@ static int has_others(const cagd_finding *f, const cagd_variable *v)
     return has;
 }
 
+static int has_root(const cagd_tree *t)
+{
+    int has = t->kind == CAGD_ROOT;
+    for (int k = 0; k < t->count && !has; k++)
+        has = has_root(t->at[k]);
+    return has;
+}
+
 const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     const cagd_variable *whole[16];
@@ -233,7 +241,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
     const cagd_tree *premise = s->tree->kind == CAGD_IMPLIES ? s->tree->at[0] : NULL;
     for (int k = 0; premise != NULL && k < (premise->kind == CAGD_ALL ? premise->count : 1); k++) {
         one = premise->kind == CAGD_ALL ? premise->at[k] : premise;
-        if (!cagd_is_range_of_name(&s->scope, one, NULL) || is_part_of(one, k > 0 ? premise->at[k - 1] : NULL))
+        if (!cagd_is_range_of_name(&s->scope, one, NULL) || has_root(one) ||
+            is_part_of(one, k > 0 ? premise->at[k - 1] : NULL))
             continue;
         text = append(text, "%s$%s$", comma, source(d, one));
         comma = ", ";

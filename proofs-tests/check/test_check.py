@@ -879,6 +879,8 @@ g_{i,n} = i
                 (r"B_i^2(t) \ge 0\ (i = 0, 1, 2)", r"0 \le t \le 1", "holds"), (r"B_i^2(t) \ge 0~(i = 0, 1, 2)", r"0 \le t \le 1", "holds"), (r"B_i^2(t) \ge 0 \qquad i = 0, 1, 2", r"0 \le t \le 1", "holds"), (r"B_i^2(t) > 0\;(i = 0, 1, 2)", r"0 \le t \le 1", "fails")):
             with self.subTest(printed=printed, ranges=ranges):
                 self.assertEqual(verdict(printed, ranges, "D_{i,n}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n")["verdict"], expected)
+        for rows, expected in ((r"g_0(t) = (1-t)^2, & 0 \le t \le 1, \\ g_1(t) = 2t(1-t), \\ g_2(t) = t^2.", "holds"), (r"g_0(t) = (1-t)^2 \\ g_1(t) = t(1-t) \\ g_2(t) = t^2 \\", "fails")):
+            self.assertEqual(verdict("g_0(t) + g_1(t) + g_2(t) = 1", r"0 \le t \le 1", r"\begin{cases} " + rows + r" \end{cases}" + "\n")["verdict"], expected)
         piece = r"g_i(t) = t^i, \quad t \in [0,1],\; i = 1, 2, \dots, 2," + "\n"
         self.assertEqual([verdict(f"g_{k}(1/2) = 1/{2**k}", "n = 1", piece)["verdict"] for k in (2, 3)], ["holds", "undecided"])
         bounds = r"-\binom ni \le y_i \le \binom{n}{i-1}" + "\n"
