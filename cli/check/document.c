@@ -312,6 +312,9 @@ static void read_use(struct document *d, int from, int to)
             return;
         }
         if (!cagd_read_definition(&d->scope, d->text, begin, begin + length, &error)) {
+            for (char *c = error.message; *c != '\0'; c++) /* the letter over which is summed is none of the line's */
+                if (c[0] == '_' && c[1] != '\0' && strchr("jklm", c[1]) != NULL && c[2] == ' ')
+                    c[1] = 'i';
             complain(d, from, to, "%s", error.message);
             return;
         }
