@@ -260,8 +260,8 @@ static const cagd_tree *for_every_letter(const cagd_scope *scope, const cagd_tre
 /* What stands behind a formula and can be meant as supposed. */
 struct parts {
     const cagd_tree *where, *supposed,
-        *statement; /* the first that is no range, or else the first; all of them; what the statement is then */
-    int are_ranges;
+        *statement;         /* the first that is no range, or else the first; all of them; what the statement is then */
+    int are_ranges, bounds; /* bounds: nothing else is said */
 };
 
 /* The statement, "A, \quad u + v = 1", or "A, \quad u + v = 1, \quad x \in [0,1]", with the parts of plain names supposed; 0 where there are none. */
@@ -274,12 +274,12 @@ static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct par
               *supposed = cagd_tree_new(CAGD_ALL, t->from, t->to, t->count),
               *both = cagd_tree_new(CAGD_ALL, t->from, t->to, 2),
               *implication = cagd_tree_new(CAGD_IMPLIES, t->from, t->to, 2);
-    if (t->kind != CAGD_ALL || said == NULL || supposed == NULL || both == NULL || implication == NULL)
+    if (t->kind != CAGD_ALL || t->juxtaposed || said == NULL || supposed == NULL || both == NULL || implication == NULL)
         return 0;
     said->count = supposed->count = 0;
     *out = (struct parts){.are_ranges = 1};
     for (int k = 0; k < t->count; k++) {
-        int is_range = cagd_is_range_of_name(scope, t->at[k], premise),
+        int is_range = k > 0 && cagd_is_range_of_name(scope, t->at[k], premise),
             plain = is_range || (k > 0 && (tells_a_name(scope, t->at[k]) || (cagd_is_of_plain_names(scope, t->at[k]))));
         cagd_tree *to = plain ? supposed : said;
         to->at[to->count++] = t->at[k];
@@ -295,8 +295,12 @@ static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct par
         }
         out->where = supposed->at[0], out->are_ranges = 1;
     }
+    out->bounds = 1; /* u >= 1/2, u >= 2: of bounds alone nobody knows which are said */
+    for (int k = 0; k < said->count; k++)
+        out->bounds &= cagd_is_range_of_name(scope, said->at[k], premise);
     if (supposed->count == 0 || said->count == 0)
         return 0;
+    out->are_ranges &= !out->bounds;
     for (int k = 0; k < supposed->count; k++)
         supposed->at[k] = for_every_letter(scope, supposed->at[k], said);
     out->supposed = supposed->count == 1 ? supposed->at[0] : supposed;
@@ -341,6 +345,8 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
     if (second == NULL)
         return;
     check(scope, parts.statement, seconds, 0, second);
+    if (second->answer == CAGD_FAILS && parts.bounds)
+        return;
     if (second->answer == CAGD_FAILS ||
         parts.are_ranges) { /* in both readings, with numbers that satisfy what can be a condition */
         *out = *second;

@@ -1213,7 +1213,7 @@ const cagd_tree *cagd_read_relations(cagd_reader *r)
 const cagd_tree *cagd_read_conditions(cagd_reader *r)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
-    int count = 0, from = r->token->from, more;
+    int count = 0, from = r->token->from, more, by_sign = 1; /* by \land alone */
     do {
         const cagd_tree *t = cagd_share_bounds(r) ? cagd_read_condition(r) : NULL;
         if (t == NULL)
@@ -1236,8 +1236,12 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
                      (r->premises == 0 && cagd_next_is_parity(r)) || cagd_next_is_other_definition(r) ||
                      r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
             more = 0;
+        by_sign &= !more || strcmp(here->word, "\\land") == 0;
     } while (more);
-    return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
+    cagd_tree *all = count > 1 ? (cagd_tree *)cagd_new_of(r, CAGD_ALL, from, count, list) : NULL;
+    if (all != NULL)
+        all->juxtaposed = by_sign;
+    return count == 1 ? list[0] : all;
 }
 
 static int at_the_end(cagd_reader *r)

@@ -389,13 +389,15 @@ static const cagd_token *end_of_supposed(const cagd_reader *r)
                                        "iff",  "exactly when", "is equivalent to", "if",
                                        "when", "whenever"};
     cagd_reader at = *r;
+    int depth = 0; /* of round brackets */
     while (at.token->kind != CAGD_TOKEN_END) {
         const cagd_token *here = at.token;
+        depth += cagd_next_is(&at, "(") - cagd_next_is(&at, ")");
         const char *said = cagd_read_words(&at);
-        for (size_t k = 0; said != NULL && here > r->token && k < sizeof ends / sizeof *ends; k++)
+        for (size_t k = 0; said != NULL && depth <= 0 && here > r->token && k < sizeof ends / sizeof *ends; k++)
             if (is_said(said, ends[k]))
                 return here;
-        if (said == NULL &&
+        if (said == NULL && depth <= 0 &&
             (cagd_next_is(&at, "\\Rightarrow") || cagd_next_is(&at, "\\Leftarrow") || cagd_next_is(&at, "\\iff") ||
              cagd_next_is(&at, "\\forall") || cagd_next_is(&at, "\\exists")))
             return here;

@@ -76,7 +76,8 @@ typedef struct cagd_tree {
     int before_semicolon; /* of a name: so many of its arguments; the others are parameters, which may be left out */
     int dimension;        /* of a vector; rows + CAGD_MATRIX columns of a matrix; 0 of a number or a truth */
     const struct cagd_tree *times;
-    int juxtaposed; /* of a product: its factors stand side by side, as in P_{ij}; of matrices: their rows are points */
+    int juxtaposed; /* of a product: its factors stand side by side, as in P_{ij}; of matrices: their rows are points; of
+                       CAGD_ALL: the conditions stand side by side with \land between, and all are said */
     int count;
     const struct cagd_tree **at;
     const cagd_relation *relation;

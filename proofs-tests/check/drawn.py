@@ -237,7 +237,7 @@ class Drawing:
             return f"p^{{({order})}}({a})", lambda v: slope(lambda t: t ** 3 - 2 * t + 1, f(v), order)[0]
         if kind == 2:
             b, g = self.atom()
-            return f"\\left. \\frac{{d}}{{dt}} (t^3 ({b}) - t) \\right|_{{t={a}}}", lambda v: slope(lambda t: t ** 3 * g(v) - t, f(v), 1)[0]
+            return f"\\left. \\frac{{d}}{{dt}} (({b}) t^3 - t) \\right|_{{t={a}}}", lambda v: slope(lambda t: t ** 3 * g(v) - t, f(v), 1)[0]
         if kind == 3:
             return f"\\left. \\frac{{\\partial^{order}}}{{\\partial s^{order}}} q(s, 2) \\right|_{{s={a}}}", \
                 lambda v: slope(lambda s: s ** 2 * 2 - 3 * s, f(v), order)[0]
@@ -313,7 +313,7 @@ class Drawing:
         return [(f"({a}) ({b}) = ({b}) ({a})", true), (f"({a} + {c})^2 = ({a})^2 + 2 ({c}) ({a}) + ({c})^2", true), (f"{a} - ({b}) = -({b} - ({a}))", true),
                 (f"|{a}| = \\max({a}, -({a}))", true), (f"|{c} - ({a})|^2 = ({a} - {c})^2", true), (f"\\max({c}, u) + \\min({c}, u) + {a} = {c} + u + {a}", true),
                 (f"\\sum_{{m=0}}^{{{n}}} ({c}) m = ({c}) \\frac{{({n})({n}+1)}}{{2}}", lambda v: h(v) is not None), (f"\\sum_{{m=0}}^{{{n}}} \\binom{{{n}}}{{m}} ({c})^m = (1 + {c})^{{{n}}}", lambda v: h(v) is not None),
-                (f"({c})^2 + u^2 \\ge 2 u ({c})", lambda v: h(v) is not None), (f"({c} - u)^2 + {self.pick('1', 'v^2 + 2')} > 0", lambda v: h(v) is not None),
+                (f"({c})^2 + u^2 \\ge 2 ({c}) u", lambda v: h(v) is not None), (f"({c} - u)^2 + {self.pick('1', 'v^2 + 2')} > 0", lambda v: h(v) is not None),
                 (f"{a} \\le {a} + y^2", true), (f"2 ({a}) - ({a}) = {a} < {a} + 1 + ({c})^2 \\ne {a}", true)][kind]
 
     def two_terms(self):
