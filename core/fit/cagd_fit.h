@@ -337,7 +337,8 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  * unless that shows it to be too simple, CAGD_FIT_SIMPLE.  Source: mcquarrie-1999, kass-raftery-1995.
  *
  * Form.  A conic in one segment is kept where its residuals are noise: where neighbours lie on the same side no more often
- * than once in a hundred by chance.  Otherwise an ellipse and a cubic spline compete with it.
+ * than once in a hundred by chance.  A straight line competes with it where it is hardly bent or no minimum, and where nothing is found against the
+ * line and its score is no higher.  Otherwise an ellipse and a cubic spline compete with it.
  *
  * Knots are put in one by one, where the sum of squared distances of a segment is largest, and even ones are tried; of the best
  * curve, where one that is not good counts as if its score were higher by 10, knots are taken out as long as that helps, the neighbours of one that is taken out moved towards its place where it does not help

@@ -84,6 +84,36 @@ static void test_chance(void)
     ask(noses >= 35, "a nose is seen by more than one of three");
 }
 
+/* Points along a straight line, as many as a conic of its own takes errors for bends of: how many are told to be one. */
+static void test_lines(void)
+{
+    enum { LINES = 100, OF_LINE = 40 };
+    int straight = 0, good = 0;
+    for (int d = 0; d < LINES; d++) {
+        state = 1000003u * (uint64_t)(d + 1) + 29;
+        for (int i = 0; i < OF_LINE; i++) {
+            const double x = 50.0 * i / (OF_LINE - 1);
+            Q[2 * i] = x + 0.05 * normal();
+            Q[2 * i + 1] = 3 + 0.37 * x + 0.05 * normal();
+        }
+        const cagd_fit_data data = {OF_LINE, 2, Q, NULL};
+        const cagd_fit_choices choices = cagd_fit_choices_all();
+        cagd_fit_options options = cagd_fit_defaults();
+        cagd_fit_result *fit;
+        cagd_fit_quality quality = {.problems = ~0};
+        options.without_intervals = 1;
+        if (cagd_fit_choose(&data, &options, &choices, &fit, NULL) != CAGD_OK || cagd_fit_quality_of(&data, &options, fit, &quality) != CAGD_OK) {
+            ask(0, "a curve is chosen");
+            return;
+        }
+        straight += fit->curve.degree == 1;
+        good += quality.problems == 0;
+        cagd_fit_free(fit);
+    }
+    printf("of %d straight lines %d are told to be one, %d are good\n", LINES, straight, good);
+    ask(straight >= 95 && good >= 95, "a straight line is told to be one");
+}
+
 /* ---- beneath what the points are given to ------------------------------------------------------------------ */
 
 /* The conic through (u, height u (1-u) + off sin 40u), rounded to `unit` unless that is 0, with deviations unless these are 0. */
@@ -128,6 +158,7 @@ static void test_beneath(void)
 int main(void)
 {
     test_beneath();
+    test_lines();
     test_chance();
     return failed > 0;
 }
