@@ -455,7 +455,9 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
 
 /* What is not good about a fit, whatever is known of its minimum; added up.
  *
- * EXCURSIONS   the curve is longer than 1.26 times the polygon of the points, cagd_fit_length_ratio
+ * EXCURSIONS   the curve is longer than 1.26 times the polygon of the points, cagd_fit_length_ratio, or makes a detour between two neighbouring
+ * feet: it is more than 1.26 times as long there as a curve that turns no more than their chord and those beside it, and ten times the root mean
+ * square of the distances longer
  * LOOPS        in the plane: it crosses itself more often than that polygon does
  * GAPS         between two neighbouring feet lies more than a tenth of its length, and more than four times the usual part of it
  * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, or some of them by more than so, cagd_fit_runs_of;
@@ -496,6 +498,7 @@ typedef struct cagd_fit_quality {
     double length_ratio;                /* NaN of points in no order                                              */
     int crossings, crossings_of_points; /* of the curve with itself, of the polygon                 */
     double gap, gap_from, gap_to;       /* the widest one as a part of the length, between two parameters */
+    double detour, detour_from, detour_to; /* how long the curve is between two neighbouring feet where it makes a detour; 0: nowhere */
     cagd_fit_runs runs;
     cagd_fit_beneath beneath; /* of distances with structure that is no problem; otherwise NOTHING                 */
     int far;       /* the control point; -1: none                                            */

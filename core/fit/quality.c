@@ -1,6 +1,7 @@
 #include "core/fit/cagd_fit.h"
 
 #include "core/fit/beneath.h"
+#include "core/fit/detour.h"
 #include "core/fit/outliers.h"
 #include "core/require.h"
 
@@ -184,6 +185,16 @@ static void find_backwards(const cagd_fit_result *r, const polygon *p, cagd_fit_
         q->problems |= CAGD_FIT_BACKWARDS;
 }
 
+/* A detour between neighbouring feet. */
+static cagd_status find_detour(const cagd_fit_result *r, cagd_fit_quality *q)
+{
+    fit_detour detour;
+    const cagd_status status = fit_detour_of(r, r->period > 0 || r->found.ellipse.whole, &detour);
+    q->detour = detour.length, q->detour_from = detour.from, q->detour_to = detour.to;
+    q->problems |= detour.length > 0 ? CAGD_FIT_EXCURSIONS : 0;
+    return status;
+}
+
 /* What is large against the extent of the points: a control point's distance from their middle; of few points the distances. */
 static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
 {
@@ -244,6 +255,8 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
         status = cagd_fit_runs_of(&own, options, r, &q->runs);
     if (status == CAGD_OK && r->count > 1)
         status = find_gap(r, &curve, q);
+    if (status == CAGD_OK && r->count > 1 && options->free != 0)
+        status = find_detour(r, q);
     if (status == CAGD_OK)
         status = find_strays(&own, options, r, q);
     if (status == CAGD_OK) {

@@ -111,7 +111,47 @@ static void test_lines(void)
         cagd_fit_free(fit);
     }
     printf("of %d straight lines %d are told to be one, %d are good\n", LINES, straight, good);
-    ask(straight >= 95 && good >= 95, "a straight line is told to be one");
+    ask(straight >= 98 && good >= 95, "a straight line is told to be one");
+}
+
+/* ---- a detour between two neighbours ----------------------------------------------------------------------- */
+
+/* A spline of twelve points (j, 0) two of which, (6 + across, up) and (5 - across, up), make it turn back.  Its ends are fitted to places of it: to all
+ * that are left when those between `from` and `to` are taken out. */
+static int has_detour(double across, double up, double from, double to)
+{
+    enum { COUNT = 12, DEGREE = 3, PLACES = 60 };
+    double U[COUNT + DEGREE + 1], P[2 * COUNT];
+    int n = 0;
+    for (int j = 0; j < COUNT + DEGREE + 1; j++)
+        U[j] = fmin(fmax(0, j - DEGREE), COUNT - DEGREE);
+    for (int j = 0; j < COUNT; j++)
+        P[2 * j] = j == 5 ? 6 + across : j == 6 ? 5 - across : j, P[2 * j + 1] = j == 5 || j == 6 ? up : 0;
+    const cagd_spline curve = {DEGREE, COUNT, 2, U, P, NULL};
+    for (int i = 0; i <= PLACES; i++) {
+        const double t = (double)i / PLACES * (COUNT - DEGREE);
+        if (!(t > from && t < to) && cagd_spline_point(&curve, t, i < PLACES ? CAGD_RIGHT : CAGD_LEFT, Q + 2 * n) == CAGD_OK)
+            n++;
+    }
+    const cagd_fit_data data = {n, 2, Q, NULL};
+    cagd_fit_options options = cagd_fit_defaults();
+    cagd_fit_result *fit;
+    cagd_fit_quality quality = {0};
+    options.initial = &curve;
+    options.free = CAGD_FIT_END_POINTS;
+    options.without_intervals = 1;
+    ask(cagd_fit(&data, &options, &fit, NULL) == CAGD_OK && cagd_fit_quality_of(&data, &options, fit, &quality) == CAGD_OK, "a fit");
+    cagd_fit_free(fit);
+    ask(quality.length_ratio < 1.26, "the whole is no longer than its points");
+    ask((quality.detour > 0) == ((quality.problems & CAGD_FIT_EXCURSIONS) != 0), "a detour is an excursion");
+    return quality.detour > 0;
+}
+
+static void test_detour(void)
+{
+    ask(has_detour(0.2, 0.5, 3.9, 5.1), "a curve that folds back between two neighbours makes a detour");
+    ask(!has_detour(0.2, 0.5, 9, 9), "none where the points fold back, too");
+    ask(!has_detour(-0.5, 0.5, 3.9, 5.1), "none where it does not fold back");
 }
 
 /* ---- beneath what the points are given to ------------------------------------------------------------------ */
@@ -158,6 +198,7 @@ static void test_beneath(void)
 int main(void)
 {
     test_beneath();
+    test_detour();
     test_lines();
     test_chance();
     return failed > 0;
