@@ -503,8 +503,8 @@ typedef struct cagd_fit_quality {
     cagd_fit_beneath beneath; /* of distances with structure that is no problem; otherwise NOTHING                 */
     int far;       /* the control point; -1: none                                            */
     int backwards; /* how many feet                                                          */
-    int strays;    /* points of another kind of error, which squares follow: alone, and farther than ten standard deviations as the median of
-                      the distances has them; no problem of the curve, and a robust loss cures it        */
+    int strays;    /* points of another kind of error, which squares follow: farther than ten standard deviations as the median of
+                      the distances has them, alone or two or three together between neighbours within two; no problem of the curve, and a robust loss cures it        */
     int stray[CAGD_FIT_STRAYS]; /* the first of them                                         */
 } cagd_fit_quality;
 
@@ -516,7 +516,8 @@ CAGD_API cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_f
  * against a fit.
  *
  * ITERATIONS ten times as many, where they did not suffice.  STARTS: eight, where the curve was refuted.  INNER: weights 1.  BOUNDS: weights
- * between 1/16 and 16.  HUBER: where points lie far off.  UNORDERED, and then the polygon of the points goes from foot to foot.  MONOTONE.  SMOOTH:
+ * between 1/16 and 16.  HUBER: where points lie far off, HUBER_AUTO: with as many
+ * control points as the points ask for.  UNORDERED, and then the polygon of the points goes from foot to foot.  MONOTONE.  SMOOTH:
  * a smoothing term by cross-validation.  COUNT: so many control points, fewer, or of a few points more.  LIGHTER: a smoothing term of less weight.
  * DEGREE: a higher one.  AUTO: as many control points as the points ask for.  DEGREES: the degree that they ask for.
  *
@@ -534,7 +535,8 @@ typedef enum cagd_fit_cure {
     CAGD_FIT_CURE_LIGHTER,
     CAGD_FIT_CURE_DEGREE,
     CAGD_FIT_CURE_AUTO,
-    CAGD_FIT_CURE_DEGREES
+    CAGD_FIT_CURE_DEGREES,
+    CAGD_FIT_CURE_HUBER_AUTO
 } cagd_fit_cure;
 
 /* One that was tried: what cagd_fit_choose was asked, and what came of it. */
