@@ -40,6 +40,10 @@ static void put_options(FILE *out, const cagd_fit_trial *t)
     case CAGD_FIT_CURE_HUBER:
         fputs("--loss huber", out);
         break;
+    case CAGD_FIT_CURE_HUBER_AUTO:
+        fprintf(out, "--loss huber --degree %d ", degree);
+        put_count(out, t);
+        break;
     case CAGD_FIT_CURE_UNORDERED:
         fputs("--unordered", out);
         break;

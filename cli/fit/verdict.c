@@ -210,7 +210,11 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
     int count = 0;
     if (nothing_is_free(f))
         return 0;
-    if (q->problems & CAGD_FIT_EXCURSIONS)
+    if (q->problems & CAGD_FIT_EXCURSIONS && q->detour > 0)
+        add(f, CAGD_FIT_EXCURSIONS, sentence, &count,
+            "from t = %.4g to %.4g, between two neighbouring points, it makes a detour of length %.3g that no points show", q->detour_from, q->detour_to,
+            q->detour);
+    else if (q->problems & CAGD_FIT_EXCURSIONS)
         add(f, CAGD_FIT_EXCURSIONS, sentence, &count,
             "it is %.3g times as long as the polygon of the points in their order, with loops or excursions that no "
             "points show",

@@ -337,7 +337,8 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  * unless that shows it to be too simple, CAGD_FIT_SIMPLE.  Source: mcquarrie-1999, kass-raftery-1995.
  *
  * Form.  A conic in one segment is kept where its residuals are noise: where neighbours lie on the same side no more often
- * than once in a hundred by chance.  Otherwise an ellipse and a cubic spline compete with it.
+ * than once in a hundred by chance.  A straight line competes with it where it is hardly bent or no minimum, and where nothing is found against the
+ * line and its score is no higher.  Otherwise an ellipse and a cubic spline compete with it.
  *
  * Knots are put in one by one, where the sum of squared distances of a segment is largest, and even ones are tried; of the best
  * curve, where one that is not good counts as if its score were higher by 10, knots are taken out as long as that helps, the neighbours of one that is taken out moved towards its place where it does not help
@@ -454,7 +455,9 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
 
 /* What is not good about a fit, whatever is known of its minimum; added up.
  *
- * EXCURSIONS   the curve is longer than 1.26 times the polygon of the points, cagd_fit_length_ratio
+ * EXCURSIONS   the curve is longer than 1.26 times the polygon of the points, cagd_fit_length_ratio, or makes a detour between two neighbouring
+ * feet: it is more than 1.26 times as long there as a curve that turns no more than their chord and those beside it, and ten times the root mean
+ * square of the distances longer
  * LOOPS        in the plane: it crosses itself more often than that polygon does
  * GAPS         between two neighbouring feet lies more than a tenth of its length, and more than four times the usual part of it
  * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, or some of them by more than so, cagd_fit_runs_of;
@@ -495,12 +498,13 @@ typedef struct cagd_fit_quality {
     double length_ratio;                /* NaN of points in no order                                              */
     int crossings, crossings_of_points; /* of the curve with itself, of the polygon                 */
     double gap, gap_from, gap_to;       /* the widest one as a part of the length, between two parameters */
+    double detour, detour_from, detour_to; /* how long the curve is between two neighbouring feet where it makes a detour; 0: nowhere */
     cagd_fit_runs runs;
     cagd_fit_beneath beneath; /* of distances with structure that is no problem; otherwise NOTHING                 */
     int far;       /* the control point; -1: none                                            */
     int backwards; /* how many feet                                                          */
-    int strays;    /* points of another kind of error, which squares follow: alone, and farther than ten standard deviations as the median of
-                      the distances has them; no problem of the curve, and a robust loss cures it        */
+    int strays;    /* points of another kind of error, which squares follow: farther than ten standard deviations as the median of
+                      the distances has them, alone or two or three together between neighbours within two; no problem of the curve, and a robust loss cures it        */
     int stray[CAGD_FIT_STRAYS]; /* the first of them                                         */
 } cagd_fit_quality;
 
@@ -512,7 +516,8 @@ CAGD_API cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_f
  * against a fit.
  *
  * ITERATIONS ten times as many, where they did not suffice.  STARTS: eight, where the curve was refuted.  INNER: weights 1.  BOUNDS: weights
- * between 1/16 and 16.  HUBER: where points lie far off.  UNORDERED, and then the polygon of the points goes from foot to foot.  MONOTONE.  SMOOTH:
+ * between 1/16 and 16.  HUBER: where points lie far off, HUBER_AUTO: with as many
+ * control points as the points ask for.  UNORDERED, and then the polygon of the points goes from foot to foot.  MONOTONE.  SMOOTH:
  * a smoothing term by cross-validation.  COUNT: so many control points, fewer, or of a few points more.  LIGHTER: a smoothing term of less weight.
  * DEGREE: a higher one.  AUTO: as many control points as the points ask for.  DEGREES: the degree that they ask for.
  *
@@ -530,7 +535,8 @@ typedef enum cagd_fit_cure {
     CAGD_FIT_CURE_LIGHTER,
     CAGD_FIT_CURE_DEGREE,
     CAGD_FIT_CURE_AUTO,
-    CAGD_FIT_CURE_DEGREES
+    CAGD_FIT_CURE_DEGREES,
+    CAGD_FIT_CURE_HUBER_AUTO
 } cagd_fit_cure;
 
 /* One that was tried: what cagd_fit_choose was asked, and what came of it. */

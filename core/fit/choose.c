@@ -141,21 +141,39 @@ static cagd_status choose_degree(const cagd_fit_data *data, const cagd_fit_optio
     return *result != NULL ? CAGD_OK : CAGD_BAD_OPTION;
 }
 
-/* A conic in one segment, and where it is hardly bent or there is none, a straight line. */
+/* Whether a line does, however the conic came out: nothing is found against it, the distances from it are small, and its score is no higher; of a
+ * robust loss, whose scales differ, something is found against the conic instead.  Along a line a conic may take up errors with a very large middle
+ * weight, or come to a minimum that runs to and fro. */
+static cagd_status line_does(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *line,
+                             const cagd_fit_candidate *conic, int *does)
+{
+    int problems, beneath;
+    const cagd_status status = fit_problems_of(data, options, line, &problems, &beneath);
+    const int better = options->loss == CAGD_FIT_SQUARES ? fit_score(data, line) <= conic->score : conic->problems != 0;
+    *does = status == CAGD_OK && problems == 0 && line->rms <= extent_of(data) * SMALL && better;
+    return status;
+}
+
+/* A conic in one segment and, where it is hardly bent, there is none, or a straight line does, that line. */
 static cagd_status try_conic(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
                              cagd_fit_found *found, int *where)
 {
     cagd_fit_result *one = NULL;
     cagd_status status = fit_plainly(data, options, &one, where);
     REQUIRE(status == CAGD_OK, status);
-    const int straight = !cagd_fit_is_minimum(one) || cagd_fit_conic_of(one).kind == CAGD_FIT_STRAIGHT;
+    int straight = !cagd_fit_is_minimum(one) || cagd_fit_conic_of(one).kind == CAGD_FIT_STRAIGHT;
     status = compete(data, options, "a conic in one segment", one, result, found);
-    if (status == CAGD_OK && straight && options->free & CAGD_FIT_END_POINTS) {
+    if (status == CAGD_OK && options->free & CAGD_FIT_END_POINTS) {
         cagd_fit_options chord = *options;
+        cagd_fit_result *line = NULL;
         chord.degree = 1;
-        status = fit_plainly(data, &chord, &one, where);
-        REQUIRE(status == CAGD_OK, status);
-        status = compete(data, options, "a straight line", one, result, found);
+        status = fit_plainly(data, &chord, &line, where);
+        if (status == CAGD_OK && !straight)
+            status = line_does(data, options, line, &found->candidate[0], &straight);
+        if (status == CAGD_OK && straight)
+            status = compete(data, options, "a straight line", line, result, found);
+        else
+            cagd_fit_free(line);
     }
     return status;
 }

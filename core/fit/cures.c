@@ -216,6 +216,17 @@ static cagd_status try_huber(const patient *p)
     return try_it(p, t);
 }
 
+/* The same with a spline: where the form is open, a robust loss alone asks for a conic, whose scores do not compare with those of others. */
+static cagd_status try_huber_spline(const patient *p)
+{
+    cagd_fit_trial t = same(p, CAGD_FIT_CURE_HUBER_AUTO);
+    REQUIRE(p->strays > 0 && p->choices->form && is_open(p) && p->options->loss == CAGD_FIT_SQUARES && !p->options->monotone, CAGD_OK);
+    t.options.loss = CAGD_FIT_HUBER;
+    t.options.loss_scale = 0;
+    ask_for_spline(p, 0, &t);
+    return try_it(p, t);
+}
+
 /* Weights 1. */
 static cagd_status try_inner(const patient *p)
 {
@@ -274,18 +285,19 @@ static cagd_status try_next(const patient *p, int k)
     case 2: return failed ? try_inner(p) : CAGD_OK;
     case 3: return failed ? try_bounds(p) : CAGD_OK;
     case 4: return simple ? try_huber(p) : CAGD_OK;
-    case 5: return astray ? try_unordered(p) : CAGD_OK;
-    case 6: return wanders ? try_monotone(p) : CAGD_OK;
-    case 7: return astray ? try_smooth(p, 0) : CAGD_OK;
-    case 8: return astray ? try_fewer(p, 3) : CAGD_OK;
-    case 9: return astray ? try_fewer(p, 2) : CAGD_OK;
-    case 10: return simple && lambda > 0 ? try_smooth(p, rounded(lambda / 10)) : CAGD_OK;
-    case 11: return simple && lambda > 0 ? try_smooth(p, rounded(lambda / 1000)) : CAGD_OK;
-    case 12: return simple ? try_degree(p, 1) : CAGD_OK;
-    case 13: return simple ? try_degree(p, 2) : CAGD_OK;
-    case 14: return try_count(p, 0);
-    case 15: return p->problems & CAGD_FIT_COARSE && !(lambda > 0) ? try_count(p, more) : CAGD_OK;
-    case 16: return p->problems & CAGD_FIT_COARSE && !(lambda > 0) ? try_count(p, more + 1) : CAGD_OK;
+    case 5: return simple ? try_huber_spline(p) : CAGD_OK;
+    case 6: return astray ? try_unordered(p) : CAGD_OK;
+    case 7: return wanders ? try_monotone(p) : CAGD_OK;
+    case 8: return astray ? try_smooth(p, 0) : CAGD_OK;
+    case 9: return astray ? try_fewer(p, 3) : CAGD_OK;
+    case 10: return astray ? try_fewer(p, 2) : CAGD_OK;
+    case 11: return simple && lambda > 0 ? try_smooth(p, rounded(lambda / 10)) : CAGD_OK;
+    case 12: return simple && lambda > 0 ? try_smooth(p, rounded(lambda / 1000)) : CAGD_OK;
+    case 13: return simple ? try_degree(p, 1) : CAGD_OK;
+    case 14: return simple ? try_degree(p, 2) : CAGD_OK;
+    case 15: return try_count(p, 0);
+    case 16: return p->problems & CAGD_FIT_COARSE && !(lambda > 0) ? try_count(p, more) : CAGD_OK;
+    case 17: return p->problems & CAGD_FIT_COARSE && !(lambda > 0) ? try_count(p, more + 1) : CAGD_OK;
     default: return simple ? try_degrees(p) : CAGD_OK;
     }
 }
@@ -294,7 +306,7 @@ static cagd_status try_next(const patient *p, int k)
  * in this one; which of it is so no fit can tell. */
 static int is_enough(const patient *p, int k)
 {
-    enum { MONOTONE = 6 };
+    enum { MONOTONE = 7 };
     return p->cures->best >= 0 && !(p->problems & CAGD_FIT_BACKWARDS && k < MONOTONE);
 }
 
@@ -302,7 +314,7 @@ cagd_status cagd_fit_cures_of(const cagd_fit_data *data, const cagd_fit_options 
                               const cagd_fit_choices *choices, const cagd_fit_result *result,
                               const cagd_fit_quality *quality, cagd_fit_cures *cures)
 {
-    enum { ALL = 18 };
+    enum { ALL = 19 };
     const patient p = {data, options, choices, result, quality->problems, quality->strays, cures};
     const int failed = !cagd_fit_is_minimum(result);
     *cures = (cagd_fit_cures){.best = -1};
@@ -311,8 +323,10 @@ cagd_status cagd_fit_cures_of(const cagd_fit_data *data, const cagd_fit_options 
         cures->too_many = 1;
         return CAGD_OK;
     }
-    if (!failed && !(quality->problems & ~CAGD_FIT_GAPS))
-        return try_huber(&p);
+    if (!failed && !(quality->problems & ~CAGD_FIT_GAPS)) {
+        const cagd_status status = try_huber(&p);
+        return status == CAGD_OK && cures->best < 0 ? try_huber_spline(&p) : status;
+    }
     for (int k = 0; k < ALL && !is_enough(&p, k - 1); k++) {
         const cagd_status status = try_next(&p, k);
         REQUIRE(status == CAGD_OK, status);

@@ -125,7 +125,7 @@ static cagd_status try_knots(fit_search *s, const fit_knots *k, const cagd_fit_r
     cagd_status status = fit_search_over(s, k, lowest, &next);
     REQUIRE(status == CAGD_OK, status);
     *better = fit_search_score(s, k, next) < s->score &&
-              !(shape && fit_search_problems(s, next) & ~fit_search_problems(s, lowest) & SHAPE) &&
+              !(shape && fit_search_problems(s, next) & ~fit_search_problems(s, lowest) & (s->detours ? SHAPE : SHAPE & ~CAGD_FIT_EXCURSIONS)) &&
               fit_search_is_best(s, k, next);
     if (*better && s->best != lowest)
         cagd_fit_free(s->best);
@@ -195,7 +195,7 @@ static cagd_status put_shapely(fit_search *s)
     return status;
 }
 
-cagd_status fit_search_knots(fit_search *s)
+static cagd_status search_once(fit_search *s)
 {
     const int shapely = s->shapely;
     cagd_status status = put_both(s);
@@ -209,6 +209,20 @@ cagd_status fit_search_knots(fit_search *s)
     if (status == CAGD_OK && s->best != NULL)
         status = settle_for_nearest(s);
     s->shapely = shapely;
+    return status;
+}
+
+cagd_status fit_search_knots(fit_search *s)
+{
+    cagd_status status = search_once(s);
+    REQUIRE(status == CAGD_OK && s->best != NULL && !(s->within > 0) && fit_search_problems(s, s->best) & CAGD_FIT_EXCURSIONS, status);
+    fit_search again = *s; /* once more among those without a detour */
+    again.best = NULL, again.shapely = FIT_NO_FIGURE, again.detours = 1;
+    status = search_once(&again);
+    const int found = status == CAGD_OK && again.best != NULL && fit_search_problems(s, again.best) == 0;
+    cagd_fit_free(found ? s->best : again.best);
+    if (found)
+        s->best = again.best, s->score = again.score, s->at = again.at;
     return status;
 }
 

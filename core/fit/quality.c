@@ -1,6 +1,7 @@
 #include "core/fit/cagd_fit.h"
 
 #include "core/fit/beneath.h"
+#include "core/fit/detour.h"
 #include "core/fit/outliers.h"
 #include "core/require.h"
 
@@ -184,6 +185,16 @@ static void find_backwards(const cagd_fit_result *r, const polygon *p, cagd_fit_
         q->problems |= CAGD_FIT_BACKWARDS;
 }
 
+/* A detour between neighbouring feet. */
+static cagd_status find_detour(const cagd_fit_result *r, cagd_fit_quality *q)
+{
+    fit_detour detour;
+    const cagd_status status = fit_detour_of(r, r->period > 0 || r->found.ellipse.whole, &detour);
+    q->detour = detour.length, q->detour_from = detour.from, q->detour_to = detour.to;
+    q->problems |= detour.length > 0 ? CAGD_FIT_EXCURSIONS : 0;
+    return status;
+}
+
 /* What is large against the extent of the points: a control point's distance from their middle; of few points the distances. */
 static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
 {
@@ -203,22 +214,45 @@ static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_f
         q->problems |= CAGD_FIT_COARSE;
 }
 
-/* Points that errors of another kind have put far off.  Where neighbours are far off, too, the curve has missed something, as a corner. */
+/* The distance of a point in deviations; infinite beyond the ends. */
+static double in_deviations(const cagd_fit_data *data, const cagd_fit_result *r, double deviation, int i)
+{
+    return i >= 0 && i < r->count ? fabs(r->distances[i]) / deviation / (data->sigma != NULL ? data->sigma[i] : 1) : INFINITY;
+}
+
+/* Of a point farther than STRAY whether it is so alone, or with at most two neighbours of more than half of that, where those beside them are within
+ * two deviations: a jump and back.  Where the curve has missed something, as a corner, distances grow towards it. */
+static int is_jump(const cagd_fit_data *data, const cagd_fit_result *r, double deviation, int i)
+{
+    enum { LONGEST_JUMP = 3 };
+    const double quiet = 2;
+    int low = i, high = i;
+    if (!(in_deviations(data, r, deviation, i - 1) > STRAY && i > 0) && !(in_deviations(data, r, deviation, i + 1) > STRAY && i + 1 < r->count))
+        return 1;
+    while (low > 0 && in_deviations(data, r, deviation, low - 1) > STRAY / 2)
+        low--;
+    while (high + 1 < r->count && in_deviations(data, r, deviation, high + 1) > STRAY / 2)
+        high++;
+    return high - low < LONGEST_JUMP && in_deviations(data, r, deviation, low - 1) <= quiet && in_deviations(data, r, deviation, high + 1) <= quiet;
+}
+
+/* Points that errors of another kind have put far off.  Where most of them are no jumps the curve has missed something. */
 static cagd_status find_strays(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r, cagd_fit_quality *q)
 {
     if (options->loss != CAGD_FIT_SQUARES || r->points_on_curve || r->degrees_of_freedom < FEW)
         return CAGD_OK;
-    const double limit = STRAY * fit_robust_deviation(data, r);
-    int alone = 0, far = 0;
-    REQUIRE(!isnan(limit), CAGD_NO_MEMORY);
-    for (int i = 0, before = 0; i < r->count && limit > 0; i++) {
-        const int now = fabs(r->distances[i]) > limit * (data->sigma != NULL ? data->sigma[i] : 1);
-        if (now && far < CAGD_FIT_STRAYS)
+    const double deviation = fit_robust_deviation(data, r);
+    int jumps = 0, far = 0;
+    REQUIRE(!isnan(deviation), CAGD_NO_MEMORY);
+    for (int i = 0; i < r->count && deviation > 0; i++) {
+        if (!(in_deviations(data, r, deviation, i) > STRAY))
+            continue;
+        if (far < CAGD_FIT_STRAYS)
             q->stray[far] = i;
-        alone += now && !before ? 1 : now && before == 1 ? -1 : 0;
-        far += now, before = now ? before + 1 : 0;
+        jumps += is_jump(data, r, deviation, i);
+        far++;
     }
-    q->strays = far <= PART * r->count && 2 * alone > far ? far : 0;
+    q->strays = far <= PART * r->count && 2 * jumps > far ? far : 0;
     return CAGD_OK;
 }
 
@@ -244,6 +278,8 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
         status = cagd_fit_runs_of(&own, options, r, &q->runs);
     if (status == CAGD_OK && r->count > 1)
         status = find_gap(r, &curve, q);
+    if (status == CAGD_OK && r->count > 1 && options->free != 0)
+        status = find_detour(r, q);
     if (status == CAGD_OK)
         status = find_strays(&own, options, r, q);
     if (status == CAGD_OK) {

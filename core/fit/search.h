@@ -26,6 +26,7 @@ typedef struct fit_search {
     double within;  /* with a tolerance, the distance that every point is to keep within       */
     int good_alone; /* with a tolerance, whether a minimum that is not good or has loops is passed over too */
     int shapely;    /* what a curve is passed over for: nothing, or one of the two above    */
+    int detours;    /* whether a detour between two neighbours, all that excursions of a good curve are, counts on the way */
     int scattered;  /* how many neighbours it takes until points do not scatter by more than they are apart, see means.h */
     int dense;      /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
     double score;

@@ -1573,6 +1573,18 @@ class Fits(Case):
         corner = [[k / 50, abs(k / 50 - 1) + r.gauss(0, 1e-4)] for k in range(101)]  # what a curve misses has neighbours
         self.assertNotIn("Far off", self.text(corner, "--no-verify", "--control-points", "9"))
 
+    def test_points_far_off_on_a_spline(self):
+        """A robust loss alone asks for a conic; the one with a spline is tried, too.  Neighbours that jump together and back are named."""
+        r = random.Random(9)
+        rows = [[k / 6, math.sin(k / 6) + r.gauss(0, 0.01) + (0.5 if k == 30 else 0)] for k in range(60)]
+        text = self.text(rows, "--no-verify")
+        self.assertRegex(text, r"Far off +point 31 \(line 31\): farther")
+        self.assertIn("(not so with --loss huber --degree 3 --control-points auto)", text)
+        cured = self.fit(table(rows), "--no-verify", "--loss", "huber", "--degree", "3", "--control-points", "auto")
+        self.assertEqual((cured["quality"]["good"], cured["outliers"]["points"]), (True, [31]))
+        arc = [[100 * t, 120 * t * (1 - t) + r.gauss(0, 0.05) + (2 if k in (60, 61, 62) else 0)] for k, t in ((k, k / 149) for k in range(150))]
+        self.assertRegex(self.text(arc, "--no-verify"), r"Far off +point 61 \(line 61\), point 62 \(line 62\), point 63 \(line 63\): farther")
+
     def test_what_cures_a_fit_was_tried(self):
         """Every option that is named does what is said of it when it is put behind the others; what has not cured is not said to cure."""
         r = random.Random(5)

@@ -84,6 +84,76 @@ static void test_chance(void)
     ask(noses >= 35, "a nose is seen by more than one of three");
 }
 
+/* Points along a straight line, as many as a conic of its own takes errors for bends of: how many are told to be one. */
+static void test_lines(void)
+{
+    enum { LINES = 100, OF_LINE = 40 };
+    int straight = 0, good = 0;
+    for (int d = 0; d < LINES; d++) {
+        state = 1000003u * (uint64_t)(d + 1) + 29;
+        for (int i = 0; i < OF_LINE; i++) {
+            const double x = 50.0 * i / (OF_LINE - 1);
+            Q[2 * i] = x + 0.05 * normal();
+            Q[2 * i + 1] = 3 + 0.37 * x + 0.05 * normal();
+        }
+        const cagd_fit_data data = {OF_LINE, 2, Q, NULL};
+        const cagd_fit_choices choices = cagd_fit_choices_all();
+        cagd_fit_options options = cagd_fit_defaults();
+        cagd_fit_result *fit;
+        cagd_fit_quality quality = {.problems = ~0};
+        options.without_intervals = 1;
+        if (cagd_fit_choose(&data, &options, &choices, &fit, NULL) != CAGD_OK || cagd_fit_quality_of(&data, &options, fit, &quality) != CAGD_OK) {
+            ask(0, "a curve is chosen");
+            return;
+        }
+        straight += fit->curve.degree == 1;
+        good += quality.problems == 0;
+        cagd_fit_free(fit);
+    }
+    printf("of %d straight lines %d are told to be one, %d are good\n", LINES, straight, good);
+    ask(straight >= 98 && good >= 95, "a straight line is told to be one");
+}
+
+/* ---- a detour between two neighbours ----------------------------------------------------------------------- */
+
+/* A spline of twelve points (j, 0) two of which, (6 + across, up) and (5 - across, up), make it turn back.  Its ends are fitted to places of it: to all
+ * that are left when those between `from` and `to` are taken out. */
+static int has_detour(double across, double up, double from, double to)
+{
+    enum { COUNT = 12, DEGREE = 3, PLACES = 60 };
+    double U[COUNT + DEGREE + 1], P[2 * COUNT];
+    int n = 0;
+    for (int j = 0; j < COUNT + DEGREE + 1; j++)
+        U[j] = fmin(fmax(0, j - DEGREE), COUNT - DEGREE);
+    for (int j = 0; j < COUNT; j++)
+        P[2 * j] = j == 5 ? 6 + across : j == 6 ? 5 - across : j, P[2 * j + 1] = j == 5 || j == 6 ? up : 0;
+    const cagd_spline curve = {DEGREE, COUNT, 2, U, P, NULL};
+    for (int i = 0; i <= PLACES; i++) {
+        const double t = (double)i / PLACES * (COUNT - DEGREE);
+        if (!(t > from && t < to) && cagd_spline_point(&curve, t, i < PLACES ? CAGD_RIGHT : CAGD_LEFT, Q + 2 * n) == CAGD_OK)
+            n++;
+    }
+    const cagd_fit_data data = {n, 2, Q, NULL};
+    cagd_fit_options options = cagd_fit_defaults();
+    cagd_fit_result *fit;
+    cagd_fit_quality quality = {0};
+    options.initial = &curve;
+    options.free = CAGD_FIT_END_POINTS;
+    options.without_intervals = 1;
+    ask(cagd_fit(&data, &options, &fit, NULL) == CAGD_OK && cagd_fit_quality_of(&data, &options, fit, &quality) == CAGD_OK, "a fit");
+    cagd_fit_free(fit);
+    ask(quality.length_ratio < 1.26, "the whole is no longer than its points");
+    ask((quality.detour > 0) == ((quality.problems & CAGD_FIT_EXCURSIONS) != 0), "a detour is an excursion");
+    return quality.detour > 0;
+}
+
+static void test_detour(void)
+{
+    ask(has_detour(0.2, 0.5, 3.9, 5.1), "a curve that folds back between two neighbours makes a detour");
+    ask(!has_detour(0.2, 0.5, 9, 9), "none where the points fold back, too");
+    ask(!has_detour(-0.5, 0.5, 3.9, 5.1), "none where it does not fold back");
+}
+
 /* ---- beneath what the points are given to ------------------------------------------------------------------ */
 
 /* The conic through (u, height u (1-u) + off sin 40u), rounded to `unit` unless that is 0, with deviations unless these are 0. */
@@ -128,6 +198,8 @@ static void test_beneath(void)
 int main(void)
 {
     test_beneath();
+    test_detour();
+    test_lines();
     test_chance();
     return failed > 0;
 }
