@@ -360,13 +360,22 @@ CAGD_API cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_o
  * curve makes of it is taken off, and where it turns on a radius of less than five deviations nothing is said; the
  * probability is that by chance any of all these windows has such a mean: of independent errors of one distribution every order is as likely, and
  * it is the part of up to 499 orders, drawn by a fixed seed, in which a window reaches it; where it is less than 1/1000, the sum over all windows,
- * which is more than the probability of any.  Source: besag-clifford-1991. */
+ * which is more than the probability of any.  Source: besag-clifford-1991.
+ *
+ * And whether the distances are a wave, of 16 points or more.  The correlation of a distance with the next, and the probability that by chance it
+ * would be so large: of errors that are as likely on one side as on the other the products of neighbours have signs that are independent, so that
+ * their sum is about normal with the sum of their squares for its variance, whatever the sizes of the errors are.  And the same of points
+ * that are k apart, for the k = 2, ..., a third of all where that is least likely; the probability is the sum over all k.  Of few points it sees what
+ * counting sides does not. */
 typedef struct cagd_fit_runs {
     int pairs, same;
     double probability;
     int points;              /* of the window                         */
     double from, to, excess; /* parameters; mean / standard deviation */
     double local_probability;
+    double next_correlation, next_probability;
+    int lag; /* k */
+    double lag_correlation, lag_probability;
 } cagd_fit_runs;
 /* `data` and `options` as for the fit. */
 CAGD_API cagd_status cagd_fit_runs_of(const cagd_fit_data *data, const cagd_fit_options *options,
@@ -457,7 +466,8 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * EXCURSIONS   the curve is longer than 1.26 times the polygon of the points, cagd_fit_length_ratio
  * LOOPS        in the plane: it crosses itself more often than that polygon does
  * GAPS         between two neighbouring feet lies more than a tenth of its length, and more than four times the usual part of it
- * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, or some of them by more than so, cagd_fit_runs_of;
+ * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, or some of them by more than so, or distances are as
+ * like the next, or once in a thousand times like those k further on, cagd_fit_runs_of;
  * no problem where all distances are beneath what the points are given to, cagd_fit_beneath
  * FAR          a control point is farther from the points than these are from one another
  * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than

@@ -12,7 +12,7 @@
 
 enum { SIDES = 600, PER_PIECE = 24, FEW = 30 };
 
-static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6, COARSE = 0.02, STRAY = 10;
+static const double LONGEST = 1.26, BY_CHANCE = 0.01, HARDLY_BY_CHANCE = 0.001, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6, COARSE = 0.02, STRAY = 10;
 
 typedef struct polygon {
     int corners, dim;
@@ -225,7 +225,8 @@ static cagd_status find_strays(const cagd_fit_data *data, const cagd_fit_options
 /* Structure: a problem unless all distances are beneath what the points are given to. */
 static void find_structure(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
 {
-    const int structure = !r->points_on_curve && (q->runs.probability < BY_CHANCE || q->runs.local_probability < BY_CHANCE);
+    const int structure = !r->points_on_curve && (q->runs.probability < BY_CHANCE || q->runs.local_probability < BY_CHANCE ||
+                                                  q->runs.next_probability < BY_CHANCE || q->runs.lag_probability < HARDLY_BY_CHANCE);
     q->beneath = structure ? fit_beneath(data, r) : CAGD_FIT_BENEATH_NOTHING;
     q->problems |= structure && q->beneath == CAGD_FIT_BENEATH_NOTHING ? CAGD_FIT_STRUCTURE : 0;
 }
