@@ -265,6 +265,11 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
         add(f, CAGD_FIT_COARSE, sentence, &count,
             "the distances are large, and too few points, without standard deviations, say whether they are noise or "
             "the curve is too simple");
+    if (q->problems & CAGD_FIT_DEVIATIONS)
+        add(f, CAGD_FIT_DEVIATIONS, sentence, &count,
+            "the distances are %.3g times as large as the given standard deviations say, by chance that is so less than once in a thousand times: these "
+            "are too small, and with them standard errors and intervals, or the curve is too simple",
+            sqrt(f->result->reduced_chi_squared));
     return count;
 }
 
@@ -294,6 +299,16 @@ static void print_beneath(const struct fit *f)
     char *text = structure_of(runs, 0);
     say("Structure", "%s; not held against the fit, since %s", text, what);
     free(text);
+}
+
+/* Deviations that are given too large; not held against the curve. */
+static void print_too_large(const struct fit *f)
+{
+    if (f->quality.too_large)
+        say("Deviations",
+            "the distances are %.2g times as large as the given standard deviations say, by chance that is so less than once in a thousand times: "
+            "these are too large, and with them standard errors and intervals",
+            sqrt(f->result->reduced_chi_squared));
 }
 
 /* Points that squares follow, though their errors are of another kind. */
@@ -336,5 +351,6 @@ void print_quality(const struct fit *f)
     free(text);
     print_beneath(f);
     print_strays(f);
+    print_too_large(f);
     print_cures(f);
 }

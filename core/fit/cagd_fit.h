@@ -334,7 +334,9 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  * n = N (dim-1), k the unknowns that the points determine, without those of the ends.  Where degrees compete within a distance, the
  * score is the number of control points of those that keep within it.  A curve that is no minimum or has
  * excursions that no points show does not count.  One that cagd_fit_quality_of finds nothing against is better than one with problems,
- * unless that shows it to be too simple, CAGD_FIT_SIMPLE.  Source: mcquarrie-1999, kass-raftery-1995.
+ * unless that shows it to be too simple, CAGD_FIT_SIMPLE.  Beside a conic or an ellipse that does, an ellipse and a spline are tried of fewer than 64
+ * points and where it leaves a gap, and count where they show that, or nothing is found against them as there is against it; where only the given
+ * deviations are, they may be wrong, and the scores are those of unknown ones.  Source: mcquarrie-1999, kass-raftery-1995.
  *
  * Form.  A conic in one segment is kept where its residuals are noise: where neighbours lie on the same side no more often
  * than once in a hundred by chance.  Otherwise an ellipse and a cubic spline compete with it.
@@ -475,6 +477,8 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * COARSE       the root mean square is more than a fiftieth of the size of the points, with unknown errors, and nothing else tells noise from a
  * curve that is too simple: there are fewer than 30 pairs of neighbours, too few for STRUCTURE, or a smoothing term, which may have made a curve
  * between two sides of the points, whose distances alternate as noise does
+ * DEVIATIONS   the given standard deviations are too small for the distances, which a chi-squared so large says once in a thousand times by chance, or
+ * the curve is too simple
  * SIMPLE       of a candidate: another one that was tried, and does not go to and fro, has a score that is lower by more than 10 */
 enum {
     CAGD_FIT_EXCURSIONS = 1,
@@ -484,7 +488,8 @@ enum {
     CAGD_FIT_FAR = 16,
     CAGD_FIT_BACKWARDS = 32,
     CAGD_FIT_COARSE = 64,
-    CAGD_FIT_SIMPLE = 128
+    CAGD_FIT_SIMPLE = 128,
+    CAGD_FIT_DEVIATIONS = 256
 };
 
 /* What all distances are beneath, so that structure in them says nothing about what was measured.  DIGITS: half the diagonal of a cell of the last
@@ -512,6 +517,7 @@ typedef struct cagd_fit_quality {
     int strays;    /* points of another kind of error, which squares follow: alone, and farther than ten standard deviations as the median of
                       the distances has them; no problem of the curve, and a robust loss cures it        */
     int stray[CAGD_FIT_STRAYS]; /* the first of them                                         */
+    int too_large; /* 1: a chi-squared as small as this one is by chance once in a thousand times: the given deviations are too large */
 } cagd_fit_quality;
 
 /* `data` as for the fit; a point that repeats the first one is passed over.  Statuses: OK, NO_MEMORY. */

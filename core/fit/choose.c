@@ -40,11 +40,12 @@ cagd_fit_choices cagd_fit_choices_all(void)
 /* What speaks against a candidate beside another one: structure that is beneath what the points are given to, too. */
 static int against(const cagd_fit_candidate *c) { return c->problems | (c->beneath ? CAGD_FIT_STRUCTURE : 0); }
 
-/* Whether the best candidate, a conic in one segment or an ellipse, does for the points: nothing but a gap between them is found against it.  A
+/* Whether the best candidate, a conic in one segment or an ellipse, does for the points: nothing but a gap between them, or deviations that may be
+ * given wrongly, is found against it.  A
  * conic whose middle point is far away, an arc of nearly a half turn, is better told by centre and axes. */
 static int is_enough(const cagd_fit_data *data, const cagd_fit_found *found, const cagd_fit_result *r)
 {
-    return !(against(&found->candidate[0]) & ~CAGD_FIT_GAPS) &&
+    return !(against(&found->candidate[0]) & ~(CAGD_FIT_GAPS | CAGD_FIT_DEVIATIONS)) &&
            (r->points_on_curve || r->rms <= extent_of(data) * SMALL);
 }
 
@@ -73,16 +74,21 @@ static int is_better(const cagd_fit_data *data, const cagd_fit_options *options,
 }
 
 /* Whether the curve `one` is to compete with the best one, which does for the points: it shows that that one is too simple, or nothing is found
- * against it, as there is against that one. */
+ * against it, as there is against that one.  Deviations that are too small for the best one may be given wrongly: then scores are those of unknown
+ * ones, and that alone is no reason. */
 static cagd_status counts_beside(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *one,
-                                 const cagd_fit_found *found, int *counts)
+                                 const cagd_fit_result *best, const cagd_fit_found *found, int *counts)
 {
-    cagd_fit_candidate c = {.score = fit_score(data, one)};
+    cagd_fit_data own = *data;
+    cagd_fit_candidate c = {.problems = ~0}, simple = found->candidate[0];
     int beneath;
     *counts = 0;
     REQUIRE(fit_is_good(data, options, one), CAGD_OK);
     const cagd_status status = fit_problems_of(data, options, one, &c.problems, &beneath);
-    *counts = shows_simple(&c, &found->candidate[0]) || (c.problems == 0 && against(&found->candidate[0]) != 0);
+    own.sigma = simple.problems & CAGD_FIT_DEVIATIONS ? NULL : data->sigma;
+    simple.problems &= ~CAGD_FIT_DEVIATIONS;
+    simple.score = fit_score(&own, best), c.score = fit_score(&own, one);
+    *counts = shows_simple(&c, &simple) || (c.problems == 0 && against(&simple) != 0);
     return status;
 }
 
@@ -185,7 +191,7 @@ static cagd_status try_ellipse(const cagd_fit_data *data, const cagd_fit_options
     REQUIRE(free_ends && !options->monotone && data->count * (data->dim - 1) > 3 * data->dim, CAGD_OK);
     cagd_status status = fit_ellipse_result(data, options, &one);
     if (status == CAGD_OK && beside)
-        status = one != NULL ? counts_beside(data, options, one, found, &counts) : CAGD_TOO_FEW;
+        status = one != NULL ? counts_beside(data, options, one, *result, found, &counts) : CAGD_TOO_FEW;
     if (status != CAGD_OK || !counts) {
         cagd_fit_free(one);
         return status == CAGD_TOO_FEW ? CAGD_OK : status;
@@ -212,7 +218,7 @@ static cagd_status try_spline(const cagd_fit_data *data, const cagd_fit_options 
     if (status == CAGD_OK && choices->weights)
         status = fit_test_weights(data, &spline, choices->within, &one, where);
     if (status == CAGD_OK && beside)
-        status = counts_beside(data, &spline, one, found, &counts);
+        status = counts_beside(data, &spline, one, *result, found, &counts);
     if (status != CAGD_OK || !counts) {
         cagd_fit_free(one);
         return *result != NULL && status != CAGD_NO_MEMORY ? CAGD_OK : status;
@@ -226,7 +232,7 @@ static cagd_status look_beside(const cagd_fit_data *data, const cagd_fit_options
                                const cagd_fit_choices *choices, cagd_fit_result **result, cagd_fit_found *found,
                                int *where)
 {
-    const int gap = against(&found->candidate[0]) != 0, conic = !(*result)->found.ellipse.known;
+    const int gap = (against(&found->candidate[0]) & CAGD_FIT_GAPS) != 0, conic = !(*result)->found.ellipse.known;
     cagd_status status = CAGD_OK;
     REQUIRE(options->loss == CAGD_FIT_SQUARES && !(*result)->points_on_curve && (gap || data->count < FEW), CAGD_OK);
     if (gap && conic)

@@ -222,6 +222,18 @@ static cagd_status find_strays(const cagd_fit_data *data, const cagd_fit_options
     return CAGD_OK;
 }
 
+/* Whether the given deviations are too small for the distances, which is a problem, or too large.  The cube root of chi-squared over its degrees
+ * of freedom is about normal.  Source: wilson-hilferty-1931. */
+static void find_deviations(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r, cagd_fit_quality *q)
+{
+    const double d = r->degrees_of_freedom, part = 2 / (9 * d);
+    if (data->sigma == NULL || options->loss != CAGD_FIT_SQUARES || !(d > 0))
+        return;
+    const double z = (cbrt(r->chi_squared / d) - (1 - part)) / sqrt(part);
+    q->problems |= erfc(z / sqrt(2)) / 2 < HARDLY_BY_CHANCE ? CAGD_FIT_DEVIATIONS : 0;
+    q->too_large = erfc(-z / sqrt(2)) / 2 < HARDLY_BY_CHANCE;
+}
+
 /* Structure: a problem unless all distances are beneath what the points are given to. */
 static void find_structure(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
 {
@@ -261,6 +273,7 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
         q->problems |= q->length_ratio > LONGEST ? CAGD_FIT_EXCURSIONS : 0;
         q->problems |= q->crossings > q->crossings_of_points ? CAGD_FIT_LOOPS : 0;
         find_structure(&own, r, q);
+        find_deviations(&own, options, r, q);
     }
     free(curve.at);
     free(points.at);
