@@ -71,7 +71,10 @@ static void print_candidates(const struct fit *f)
                                : c->converged                          ? "with excursions that no points show)"
                                                                        : "no minimum)");
         if (isfinite(c->score) && at < sizeof text)
-            at += (size_t)snprintf(text + at, sizeof text - at, "%.4g%s)", c->score, c->problems ? ", not good" : "");
+            at += (size_t)snprintf(text + at, sizeof text - at, "%.4g%s)", c->score,
+                                   c->problems == CAGD_FIT_SIMPLE ? ", too simple beside another"
+                                   : c->problems                  ? ", not good"
+                                                                  : "");
     }
     if (found->candidates > 1)
         say("Chosen", "%s; %s (--degree or --control-points choose otherwise)", text,
