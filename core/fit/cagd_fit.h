@@ -469,7 +469,7 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * LOOPS        in the plane: it crosses itself more often than that polygon does
  * GAPS         between two neighbouring feet lies more than a tenth of its length, and more than four times the usual part of it
  * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, or some of them by more than so, or distances are as
- * like the next, or once in a thousand times like those k further on, cagd_fit_runs_of;
+ * like the next, or once in a thousand times like those k further on, cagd_fit_runs_of, where the unknowns are a fourth of n or fewer;
  * no problem where all distances are beneath what the points are given to, cagd_fit_beneath
  * FAR          a control point is farther from the points than these are from one another
  * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than

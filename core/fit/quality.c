@@ -1,6 +1,7 @@
 #include "core/fit/cagd_fit.h"
 
 #include "core/fit/beneath.h"
+#include "core/fit/candidate.h"
 #include "core/fit/outliers.h"
 #include "core/require.h"
 
@@ -234,11 +235,19 @@ static void find_deviations(const cagd_fit_data *data, const cagd_fit_options *o
     q->too_large = erfc(-z / sqrt(2)) / 2 < HARDLY_BY_CHANCE;
 }
 
+/* Whether the distances are a wave.  Of a curve with more than a fourth as many unknowns as the points say things the fit itself makes the distances
+ * that are left alike, and nothing is said. */
+static int is_wave(const cagd_fit_data *data, const cagd_fit_result *r, const cagd_fit_runs *runs)
+{
+    return 4 * fit_unknowns_of(r) <= fit_equations_of(data) &&
+           (runs->next_probability < BY_CHANCE || runs->lag_probability < HARDLY_BY_CHANCE);
+}
+
 /* Structure: a problem unless all distances are beneath what the points are given to. */
 static void find_structure(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
 {
-    const int structure = !r->points_on_curve && (q->runs.probability < BY_CHANCE || q->runs.local_probability < BY_CHANCE ||
-                                                  q->runs.next_probability < BY_CHANCE || q->runs.lag_probability < HARDLY_BY_CHANCE);
+    const int structure = !r->points_on_curve &&
+                          (q->runs.probability < BY_CHANCE || q->runs.local_probability < BY_CHANCE || is_wave(data, r, &q->runs));
     q->beneath = structure ? fit_beneath(data, r) : CAGD_FIT_BENEATH_NOTHING;
     q->problems |= structure && q->beneath == CAGD_FIT_BENEATH_NOTHING ? CAGD_FIT_STRUCTURE : 0;
 }
