@@ -6,7 +6,8 @@
 
 /* What quality says, shortly, from its lowest bit on. */
 static const char *const problem_name[] = {"excursions",           "loops",           "gaps", "structure in the distances",
-                                           "a control point far outside", "feet that go back", "large distances"};
+                                           "a control point far outside", "feet that go back", "large distances",
+                                           "a curve that is too simple", "distances too large for the given deviations"};
 enum { PROBLEMS = sizeof problem_name / sizeof *problem_name };
 
 /* Whether it has to be said which degree is meant: without one, other options ask for another. */

@@ -34,7 +34,7 @@ static void print_closing(const struct fit *f)
         break;
     case CAGD_FIT_CORNER:
         say("Corner", "the points come back to where they began, with a corner there%s",
-            r->period > 0 ? ", which the closed curve rounds off"
+            r->period > 0 || r->found.ellipse.whole ? ", which the closed curve rounds off"
                           : ": the curve is open (--closed rounds the corner off)");
         break;
     case CAGD_FIT_OPEN:
@@ -71,7 +71,10 @@ static void print_candidates(const struct fit *f)
                                : c->converged                          ? "with excursions that no points show)"
                                                                        : "no minimum)");
         if (isfinite(c->score) && at < sizeof text)
-            at += (size_t)snprintf(text + at, sizeof text - at, "%.4g%s)", c->score, c->problems ? ", not good" : "");
+            at += (size_t)snprintf(text + at, sizeof text - at, "%.4g%s)", c->score,
+                                   c->problems == CAGD_FIT_SIMPLE ? ", too simple beside another"
+                                   : c->problems                  ? ", not good"
+                                                                  : "");
     }
     if (found->candidates > 1)
         say("Chosen", "%s; %s (--degree or --control-points choose otherwise)", text,
@@ -204,6 +207,31 @@ static void add(const struct fit *f, int problem, char *sentence[], int *count, 
     text_close(out, &sentence[(*count)++]);
 }
 
+/* What is not as of noise.  To be freed. */
+static char *structure_of(const cagd_fit_runs *runs, int with_mean)
+{
+    char *text;
+    size_t size;
+    FILE *out = text_open(&text, &size);
+    const int counted = runs->probability < 0.01, local = runs->local_probability < 0.01;
+    if (local && runs->local_probability < runs->probability) {
+        fprintf(out, "from t = %.4g to %.4g the curve passes %d points by on one side", runs->from, runs->to, runs->points);
+        if (with_mean)
+            fprintf(out, ", their mean is %.2g of its standard deviations from 0", runs->excess);
+        fprintf(out, ", by chance that is so somewhere with probability %.1g", runs->local_probability);
+    } else if (counted)
+        fprintf(out, "%d of %d neighbours lie on the same side, by chance that is so with probability %.1g", runs->same, runs->pairs,
+                runs->probability);
+    else if (runs->next_probability < 0.01)
+        fprintf(out, "the distance of a point and that of the next have the correlation %.2f, by chance that is so with probability %.1g",
+                runs->next_correlation, runs->next_probability);
+    else
+        fprintf(out, "the distances of points that are %d apart have the correlation %.2f, as of a wave, by chance that is so with probability %.1g",
+                runs->lag, runs->lag_correlation, runs->lag_probability);
+    text_close(out, &text);
+    return text;
+}
+
 int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
 {
     const cagd_fit_quality *q = &f->quality;
@@ -226,16 +254,11 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
         add(f, CAGD_FIT_GAPS, sentence, &count,
             "from t = %.4g to %.4g, %.2g of its length, it has no points and is only interpolation", q->gap_from,
             q->gap_to, q->gap);
-    if (q->problems & CAGD_FIT_STRUCTURE && q->runs.local_probability < fmin(0.01, q->runs.probability))
-        add(f, CAGD_FIT_STRUCTURE, sentence, &count,
-            "the distances are no noise: from t = %.4g to %.4g the curve passes %d points by on one side, their mean is "
-            "%.2g of its standard deviations from 0, by chance that is so somewhere with probability %.1g",
-            q->runs.from, q->runs.to, q->runs.points, q->runs.excess, q->runs.local_probability);
-    else if (q->problems & CAGD_FIT_STRUCTURE)
-        add(f, CAGD_FIT_STRUCTURE, sentence, &count,
-            "the distances are no noise: %d of %d neighbours lie on the same side, by chance that is so with "
-            "probability %.1g",
-            q->runs.same, q->runs.pairs, q->runs.probability);
+    if (q->problems & CAGD_FIT_STRUCTURE) {
+        char *text = structure_of(&q->runs, 1);
+        add(f, CAGD_FIT_STRUCTURE, sentence, &count, "the distances are no noise: %s", text);
+        free(text);
+    }
     if (q->problems & CAGD_FIT_FAR)
         add(f, CAGD_FIT_FAR, sentence, &count, "control point P%d lies far outside of the points", q->far);
     if (q->problems & CAGD_FIT_BACKWARDS)
@@ -249,6 +272,11 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
         add(f, CAGD_FIT_COARSE, sentence, &count,
             "the distances are large, and too few points, without standard deviations, say whether they are noise or "
             "the curve is too simple");
+    if (q->problems & CAGD_FIT_DEVIATIONS)
+        add(f, CAGD_FIT_DEVIATIONS, sentence, &count,
+            "the distances are %.3g times as large as the given standard deviations say, by chance that is so less than once in a thousand times: these "
+            "are too small, and with them standard errors and intervals, or the curve is too simple",
+            sqrt(f->result->reduced_chi_squared));
     return count;
 }
 
@@ -275,14 +303,19 @@ static void print_beneath(const struct fit *f)
     const char *what = beneath_what(f);
     if (what == NULL)
         return;
-    if (runs->local_probability < runs->probability)
-        say("Structure",
-            "from t = %.4g to %.4g the curve passes %d points by on one side, by chance that is so somewhere with probability %.1g; not held against "
-            "the fit, since %s",
-            runs->from, runs->to, runs->points, runs->local_probability, what);
-    else
-        say("Structure", "%d of %d neighbours lie on the same side, by chance that is so with probability %.1g; not held against the fit, since %s",
-            runs->same, runs->pairs, runs->probability, what);
+    char *text = structure_of(runs, 0);
+    say("Structure", "%s; not held against the fit, since %s", text, what);
+    free(text);
+}
+
+/* Deviations that are given too large; not held against the curve. */
+static void print_too_large(const struct fit *f)
+{
+    if (f->quality.too_large)
+        say("Deviations",
+            "the distances are %.2g times as large as the given standard deviations say, by chance that is so less than once in a thousand times: "
+            "these are too large, and with them standard errors and intervals",
+            sqrt(f->result->reduced_chi_squared));
 }
 
 /* Points that squares follow, though their errors are of another kind. */
@@ -325,5 +358,6 @@ void print_quality(const struct fit *f)
     free(text);
     print_beneath(f);
     print_strays(f);
+    print_too_large(f);
     print_cures(f);
 }

@@ -334,7 +334,9 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  * n = N (dim-1), k the unknowns that the points determine, without those of the ends.  Where degrees compete within a distance, the
  * score is the number of control points of those that keep within it.  A curve that is no minimum or has
  * excursions that no points show does not count.  One that cagd_fit_quality_of finds nothing against is better than one with problems,
- * unless that shows it to be too simple, CAGD_FIT_SIMPLE.  Source: mcquarrie-1999, kass-raftery-1995.
+ * unless that shows it to be too simple, CAGD_FIT_SIMPLE.  Beside a conic or an ellipse that does, an ellipse and a spline are tried of fewer than 64
+ * points and where it leaves a gap, and count where they show that, or nothing is found against them as there is against it; where only the given
+ * deviations are, they may be wrong, and the scores are those of unknown ones.  Source: mcquarrie-1999, kass-raftery-1995.
  *
  * Form.  A conic in one segment is kept where its residuals are noise: where neighbours lie on the same side no more often
  * than once in a hundred by chance.  A straight line competes with it where it is hardly bent or no minimum, and where nothing is found against the
@@ -361,13 +363,22 @@ CAGD_API cagd_status cagd_fit_choose(const cagd_fit_data *data, const cagd_fit_o
  * curve makes of it is taken off, and where it turns on a radius of less than five deviations nothing is said; the
  * probability is that by chance any of all these windows has such a mean: of independent errors of one distribution every order is as likely, and
  * it is the part of up to 499 orders, drawn by a fixed seed, in which a window reaches it; where it is less than 1/1000, the sum over all windows,
- * which is more than the probability of any.  Source: besag-clifford-1991. */
+ * which is more than the probability of any.  Source: besag-clifford-1991.
+ *
+ * And whether the distances are a wave, of 16 points or more.  The correlation of a distance with the next, and the probability that by chance it
+ * would be so large: of errors that are as likely on one side as on the other the products of neighbours have signs that are independent, so that
+ * their sum is about normal with the sum of their squares for its variance, whatever the sizes of the errors are.  And the same of points
+ * that are k apart, for the k = 2, ..., a third of all where that is least likely; the probability is the sum over all k.  Of few points it sees what
+ * counting sides does not. */
 typedef struct cagd_fit_runs {
     int pairs, same;
     double probability;
     int points;              /* of the window                         */
     double from, to, excess; /* parameters; mean / standard deviation */
     double local_probability;
+    double next_correlation, next_probability;
+    int lag; /* k */
+    double lag_correlation, lag_probability;
 } cagd_fit_runs;
 /* `data` and `options` as for the fit. */
 CAGD_API cagd_status cagd_fit_runs_of(const cagd_fit_data *data, const cagd_fit_options *options,
@@ -460,7 +471,8 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * square of the distances longer
  * LOOPS        in the plane: it crosses itself more often than that polygon does
  * GAPS         between two neighbouring feet lies more than a tenth of its length, and more than four times the usual part of it
- * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, or some of them by more than so, cagd_fit_runs_of;
+ * STRUCTURE    neighbours lie on one side more often than by chance once in a hundred times, or some of them by more than so, or distances are as
+ * like the next, or once in a thousand times like those k further on, cagd_fit_runs_of, where the unknowns are a fourth of n or fewer;
  * no problem where all distances are beneath what the points are given to, cagd_fit_beneath
  * FAR          a control point is farther from the points than these are from one another
  * BACKWARDS    of points in order, feet fall back behind the one before by more than the distances explain: by more than
@@ -468,6 +480,8 @@ CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_
  * COARSE       the root mean square is more than a fiftieth of the size of the points, with unknown errors, and nothing else tells noise from a
  * curve that is too simple: there are fewer than 30 pairs of neighbours, too few for STRUCTURE, or a smoothing term, which may have made a curve
  * between two sides of the points, whose distances alternate as noise does
+ * DEVIATIONS   the given standard deviations are too small for the distances, which a chi-squared so large says once in a thousand times by chance, or
+ * the curve is too simple
  * SIMPLE       of a candidate: another one that was tried, and does not go to and fro, has a score that is lower by more than 10 */
 enum {
     CAGD_FIT_EXCURSIONS = 1,
@@ -477,7 +491,8 @@ enum {
     CAGD_FIT_FAR = 16,
     CAGD_FIT_BACKWARDS = 32,
     CAGD_FIT_COARSE = 64,
-    CAGD_FIT_SIMPLE = 128
+    CAGD_FIT_SIMPLE = 128,
+    CAGD_FIT_DEVIATIONS = 256
 };
 
 /* What all distances are beneath, so that structure in them says nothing about what was measured.  DIGITS: half the diagonal of a cell of the last
@@ -506,6 +521,7 @@ typedef struct cagd_fit_quality {
     int strays;    /* points of another kind of error, which squares follow: farther than ten standard deviations as the median of
                       the distances has them, alone or two or three together between neighbours within two; no problem of the curve, and a robust loss cures it        */
     int stray[CAGD_FIT_STRAYS]; /* the first of them                                         */
+    int too_large; /* 1: a chi-squared as small as this one is by chance once in a thousand times: the given deviations are too large */
 } cagd_fit_quality;
 
 /* `data` as for the fit; a point that repeats the first one is passed over.  Statuses: OK, NO_MEMORY. */

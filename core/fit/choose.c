@@ -14,6 +14,7 @@
 
 /* choose.c -- which curve is fitted where the options leave that open. */
 
+enum { FEW = 64 }; /* points: of fewer the distances may look like noise though they are none */
 static const double SMALL = 0.02; /* of the width of the points: where distances are larger, others have a chance */
 
 /* The widest side of the box about the points. */
@@ -39,11 +40,12 @@ cagd_fit_choices cagd_fit_choices_all(void)
 /* What speaks against a candidate beside another one: structure that is beneath what the points are given to, too. */
 static int against(const cagd_fit_candidate *c) { return c->problems | (c->beneath ? CAGD_FIT_STRUCTURE : 0); }
 
-/* Whether the best candidate, a conic in one segment or an ellipse, does for the points: nothing but a gap between them is found against it.  A
+/* Whether the best candidate, a conic in one segment or an ellipse, does for the points: nothing but a gap between them, or deviations that may be
+ * given wrongly, is found against it.  A
  * conic whose middle point is far away, an arc of nearly a half turn, is better told by centre and axes. */
 static int is_enough(const cagd_fit_data *data, const cagd_fit_found *found, const cagd_fit_result *r)
 {
-    return !(against(&found->candidate[0]) & ~CAGD_FIT_GAPS) &&
+    return !(against(&found->candidate[0]) & ~(CAGD_FIT_GAPS | CAGD_FIT_DEVIATIONS)) &&
            (r->points_on_curve || r->rms <= extent_of(data) * SMALL);
 }
 
@@ -69,6 +71,25 @@ static int is_better(const cagd_fit_data *data, const cagd_fit_options *options,
         return c->score < b->score;
     const int good = fit_is_good(data, options, one), best_is_good = fit_is_good(data, options, best);
     return good > best_is_good || (good == best_is_good && one->rms < best->rms);
+}
+
+/* Whether the curve `one` is to compete with the best one, which does for the points: it shows that that one is too simple, or nothing is found
+ * against it, as there is against that one.  Deviations that are too small for the best one may be given wrongly: then scores are those of unknown
+ * ones, and that alone is no reason. */
+static cagd_status counts_beside(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *one,
+                                 const cagd_fit_result *best, const cagd_fit_found *found, int *counts)
+{
+    cagd_fit_data own = *data;
+    cagd_fit_candidate c = {.problems = ~0}, simple = found->candidate[0];
+    int beneath;
+    *counts = 0;
+    REQUIRE(fit_is_good(data, options, one), CAGD_OK);
+    const cagd_status status = fit_problems_of(data, options, one, &c.problems, &beneath);
+    own.sigma = simple.problems & CAGD_FIT_DEVIATIONS ? NULL : data->sigma;
+    simple.problems &= ~CAGD_FIT_DEVIATIONS;
+    simple.score = fit_score(&own, best), c.score = fit_score(&own, one);
+    *counts = shows_simple(&c, &simple) || (c.problems == 0 && against(&simple) != 0);
+    return status;
 }
 
 /* The candidate is added to those that were found, in the first place where it is the best one. */
@@ -178,38 +199,63 @@ static cagd_status try_conic(const cagd_fit_data *data, const cagd_fit_options *
     return status;
 }
 
-static cagd_status try_ellipse(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
-                               cagd_fit_found *found)
+static cagd_status try_ellipse(const cagd_fit_data *data, const cagd_fit_options *options, int beside,
+                               cagd_fit_result **result, cagd_fit_found *found)
 {
+    int counts = 1;
     cagd_fit_result *one = NULL;
     const int free_ends =
         options->closed || (options->free & CAGD_FIT_END_POINTS && options->ends == CAGD_FIT_ENDS_MEASURED);
     REQUIRE(free_ends && !options->monotone && data->count * (data->dim - 1) > 3 * data->dim, CAGD_OK);
-    const cagd_status status = fit_ellipse_result(data, options, &one);
-    REQUIRE(status == CAGD_OK, status);
+    cagd_status status = fit_ellipse_result(data, options, &one);
+    if (status == CAGD_OK && beside)
+        status = one != NULL ? counts_beside(data, options, one, *result, found, &counts) : CAGD_TOO_FEW;
+    if (status != CAGD_OK || !counts) {
+        cagd_fit_free(one);
+        return status == CAGD_TOO_FEW ? CAGD_OK : status;
+    }
     return compete(data, options, one == NULL || one->found.ellipse.whole ? "a whole ellipse" : "an arc of an ellipse",
                    one, result, found);
 }
 
-/* A cubic spline.  One that is good with a smoothing term alone is not sought where a curve stands that nothing is said against. */
+/* A cubic spline; `beside` a curve that does, if it counts.  One that is good with a smoothing term alone is not sought where a curve stands that nothing is said against. */
 static cagd_status try_spline(const cagd_fit_data *data, const cagd_fit_options *options,
-                              const cagd_fit_choices *choices, cagd_fit_result **result, cagd_fit_found *found,
-                              int *where)
+                              const cagd_fit_choices *choices, int beside, cagd_fit_result **result,
+                              cagd_fit_found *found, int *where)
 {
     cagd_fit_options spline = *options;
     cagd_fit_choices own = *choices;
     cagd_fit_result *one = NULL;
+    int counts = 1;
     char name[64];
     spline.degree = 3;
     spline.free &= ~CAGD_FIT_WEIGHTS;
-    if (own.smooth == 2 && *result != NULL && against(&found->candidate[0]) == 0)
+    if (own.smooth == 2 && *result != NULL && (beside || against(&found->candidate[0]) == 0))
         own.smooth = 0;
     cagd_status status = fit_refined(data, &spline, &own, &one, where);
     if (status == CAGD_OK && choices->weights)
         status = fit_test_weights(data, &spline, choices->within, &one, where);
-    REQUIRE(status == CAGD_OK, *result != NULL && status != CAGD_NO_MEMORY ? CAGD_OK : status);
+    if (status == CAGD_OK && beside)
+        status = counts_beside(data, &spline, one, *result, found, &counts);
+    if (status != CAGD_OK || !counts) {
+        cagd_fit_free(one);
+        return *result != NULL && status != CAGD_NO_MEMORY ? CAGD_OK : status;
+    }
     snprintf(name, sizeof name, "a cubic spline with %d control points", own_count(one));
     return compete(data, &spline, name, one, result, found);
+}
+
+/* The best curve does.  Others are tried beside it where it leaves a gap, which may be its own, and of few points, whose distances say little. */
+static cagd_status look_beside(const cagd_fit_data *data, const cagd_fit_options *options,
+                               const cagd_fit_choices *choices, cagd_fit_result **result, cagd_fit_found *found,
+                               int *where)
+{
+    const int gap = (against(&found->candidate[0]) & CAGD_FIT_GAPS) != 0, conic = !(*result)->found.ellipse.known;
+    cagd_status status = CAGD_OK;
+    REQUIRE(options->loss == CAGD_FIT_SQUARES && !(*result)->points_on_curve && (gap || data->count < FEW), CAGD_OK);
+    if (gap && conic)
+        status = try_ellipse(data, options, 1, result, found);
+    return status == CAGD_OK ? try_spline(data, options, choices, 1, result, found, where) : status;
 }
 
 /* A conic in one segment, an ellipse, a cubic spline, in this order, until one does. */
@@ -220,17 +266,20 @@ static cagd_status choose_form(const cagd_fit_data *data, const cagd_fit_options
     cagd_status status = CAGD_OK;
     if (!options->closed) {
         status = try_conic(data, options, result, found, where);
-        REQUIRE(status == CAGD_OK && !is_enough(data, found, *result), status);
+        REQUIRE(status == CAGD_OK, status);
+        if (is_enough(data, found, *result))
+            return look_beside(data, options, choices, result, found, where);
     }
     if (options->loss != CAGD_FIT_SQUARES) { /* scores of different scales do not compare */
         cagd_fit_options spline = *options;
         spline.degree = 3;
         return *result != NULL ? CAGD_OK : fit_refined(data, &spline, choices, result, where);
     }
-    status = try_ellipse(data, options, result, found);
+    status = try_ellipse(data, options, 0, result, found);
     REQUIRE(status == CAGD_OK, status);
-    REQUIRE(*result == NULL || !(*result)->found.ellipse.known || !is_enough(data, found, *result), CAGD_OK);
-    return try_spline(data, options, choices, result, found, where);
+    if (*result != NULL && (*result)->found.ellipse.known && is_enough(data, found, *result))
+        return look_beside(data, options, choices, result, found, where);
+    return try_spline(data, options, choices, 0, result, found, where);
 }
 
 /* What `found` holds of the choice becomes that of the result. */

@@ -10,6 +10,7 @@
 /* cures.c -- what else can be asked for where a fit is not good, and whether it helps: each is tried on the same points. */
 
 enum {
+    BESIDE = CAGD_FIT_GAPS | CAGD_FIT_DEVIATIONS, /* what may be of the points, and not of the curve */
     WANDERING = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_FAR | CAGD_FIT_BACKWARDS,
     SIMPLE = CAGD_FIT_STRUCTURE | CAGD_FIT_COARSE
 };
@@ -318,12 +319,12 @@ cagd_status cagd_fit_cures_of(const cagd_fit_data *data, const cagd_fit_options 
     const patient p = {data, options, choices, result, quality->problems, quality->strays, cures};
     const int failed = !cagd_fit_is_minimum(result);
     *cures = (cagd_fit_cures){.best = -1};
-    REQUIRE(options->free != 0 && (failed || quality->problems & ~CAGD_FIT_GAPS || quality->strays > 0), CAGD_OK);
+    REQUIRE(options->free != 0 && (failed || quality->problems & ~BESIDE || quality->strays > 0), CAGD_OK);
     if (data->count > CAGD_FIT_MOST_TRIED || own_count(result) > CAGD_FIT_MOST_TRIED_CONTROL_POINTS) {
         cures->too_many = 1;
         return CAGD_OK;
     }
-    if (!failed && !(quality->problems & ~CAGD_FIT_GAPS)) {
+    if (!failed && !(quality->problems & ~BESIDE)) {
         const cagd_status status = try_huber(&p);
         return status == CAGD_OK && cures->best < 0 ? try_huber_spline(&p) : status;
     }

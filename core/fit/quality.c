@@ -1,6 +1,7 @@
 #include "core/fit/cagd_fit.h"
 
 #include "core/fit/beneath.h"
+#include "core/fit/candidate.h"
 #include "core/fit/detour.h"
 #include "core/fit/outliers.h"
 #include "core/require.h"
@@ -13,7 +14,7 @@
 
 enum { SIDES = 600, PER_PIECE = 24, FEW = 30 };
 
-static const double LONGEST = 1.26, BY_CHANCE = 0.01, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6, COARSE = 0.02, STRAY = 10;
+static const double LONGEST = 1.26, BY_CHANCE = 0.01, HARDLY_BY_CHANCE = 0.001, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6, COARSE = 0.02, STRAY = 10;
 
 typedef struct polygon {
     int corners, dim;
@@ -256,10 +257,31 @@ static cagd_status find_strays(const cagd_fit_data *data, const cagd_fit_options
     return CAGD_OK;
 }
 
+/* Whether the given deviations are too small for the distances, which is a problem, or too large.  The cube root of chi-squared over its degrees
+ * of freedom is about normal.  Source: wilson-hilferty-1931. */
+static void find_deviations(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r, cagd_fit_quality *q)
+{
+    const double d = r->degrees_of_freedom, part = 2 / (9 * d);
+    if (data->sigma == NULL || options->loss != CAGD_FIT_SQUARES || !(d > 0))
+        return;
+    const double z = (cbrt(r->chi_squared / d) - (1 - part)) / sqrt(part);
+    q->problems |= erfc(z / sqrt(2)) / 2 < HARDLY_BY_CHANCE ? CAGD_FIT_DEVIATIONS : 0;
+    q->too_large = erfc(-z / sqrt(2)) / 2 < HARDLY_BY_CHANCE;
+}
+
+/* Whether the distances are a wave.  Of a curve with more than a fourth as many unknowns as the points say things the fit itself makes the distances
+ * that are left alike, and nothing is said. */
+static int is_wave(const cagd_fit_data *data, const cagd_fit_result *r, const cagd_fit_runs *runs)
+{
+    return 4 * fit_unknowns_of(r) <= fit_equations_of(data) &&
+           (runs->next_probability < BY_CHANCE || runs->lag_probability < HARDLY_BY_CHANCE);
+}
+
 /* Structure: a problem unless all distances are beneath what the points are given to. */
 static void find_structure(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
 {
-    const int structure = !r->points_on_curve && (q->runs.probability < BY_CHANCE || q->runs.local_probability < BY_CHANCE);
+    const int structure = !r->points_on_curve &&
+                          (q->runs.probability < BY_CHANCE || q->runs.local_probability < BY_CHANCE || is_wave(data, r, &q->runs));
     q->beneath = structure ? fit_beneath(data, r) : CAGD_FIT_BENEATH_NOTHING;
     q->problems |= structure && q->beneath == CAGD_FIT_BENEATH_NOTHING ? CAGD_FIT_STRUCTURE : 0;
 }
@@ -296,6 +318,7 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
         q->problems |= q->length_ratio > LONGEST ? CAGD_FIT_EXCURSIONS : 0;
         q->problems |= q->crossings > q->crossings_of_points ? CAGD_FIT_LOOPS : 0;
         find_structure(&own, r, q);
+        find_deviations(&own, options, r, q);
     }
     free(curve.at);
     free(points.at);

@@ -17,7 +17,7 @@ static double upper_tail(int n, int k)
     return fmin(1, sum);
 }
 
-/* ---- a part of the curve that passes its points by ------------------------------------------------------- */
+/* ---- the distances of points in order -------------------------------------------------------------------- */
 
 enum { SHORTEST = 4, PER_WINDOW = 4, LEAST = 16 };
 static const double CLIPPED = 2.5; /* standard deviations: one point alone says nothing of its neighbours */
@@ -74,6 +74,43 @@ static void add_up(sequence *s)
         s->square[j + 1] = s->square[j] + square / 2;
     }
 }
+
+/* ---- a wave ----------------------------------------------------------------------------------------------- */
+
+/* The sum of the products of the distances of points that are k apart, over its standard deviation.  Of independent errors that are as likely on one
+ * side as on the other, however large they are here and there, the signs of the products are independent, and as often + as -; *correlation: the sum
+ * over that of the squares. */
+static double togetherness(const sequence *s, int k, double *correlation)
+{
+    double sum = 0, square = 0, all = 0;
+    for (int j = 0; j < s->count; j++) {
+        double product = 0;
+        for (int c = 0; c < s->dim; c++) {
+            const double here = s->value[j * s->dim + c];
+            product += j + k < s->count ? here * s->value[(j + k) * s->dim + c] : 0;
+            all += here * here;
+        }
+        sum += product, square += product * product;
+    }
+    *correlation = all > 0 ? sum / all : 0;
+    return square > 0 ? sum / sqrt(square) : 0;
+}
+
+/* Whether the distances of neighbours are alike, and those of points that are k apart, k = 2, ..., a third of all: as of a wave of k points, which
+ * goes to the other side so often that counting neighbours says nothing.  Asked for all k at once the probability is at most their sum. */
+static void find_wave(const sequence *s, cagd_fit_runs *runs)
+{
+    double correlation, most = 0;
+    runs->next_probability = erfc(togetherness(s, 1, &runs->next_correlation) / sqrt(2)) / 2;
+    for (int k = 2; 3 * k <= s->count; k++) {
+        const double z = togetherness(s, k, &correlation);
+        if (z > most)
+            most = z, runs->lag = k, runs->lag_correlation = correlation;
+    }
+    runs->lag_probability = fmin(1, (s->count / 3 - 1) * erfc(most / sqrt(2)) / 2);
+}
+
+/* ---- a part of the curve that passes its points by ------------------------------------------------------- */
 
 /* The mean of m of them from i on over its standard deviation: in that of all, or where these and AROUND more on either side scatter more, by the
  * steps from one to the next, in theirs: errors along one axis are larger where the curve is across it. */
@@ -204,6 +241,8 @@ static cagd_status look_at_parts(const cagd_fit_data *data, const cagd_fit_optio
     REQUIRE(numbers != NULL, CAGD_NO_MEMORY);
     sequence s = {0, dim, numbers, numbers + n, numbers + n * (size_t)(dim + 1), numbers + n * (size_t)(2 * dim + 1)};
     fill(data, r, scale, list, &s);
+    if (s.count >= LEAST)
+        find_wave(&s, runs);
     find_local(r, fmax(r->rms, scale * (data->sigma != NULL ? 0 : 1)), &s, runs);
     free(numbers);
     return CAGD_OK;
@@ -214,7 +253,7 @@ cagd_status cagd_fit_runs_of(const cagd_fit_data *data, const cagd_fit_options *
 {
     const int n = r->count, dim = r->curve.dim;
     keyed *list = malloc(((size_t)n + 1) * sizeof *list);
-    *runs = (cagd_fit_runs){.probability = NAN, .local_probability = NAN};
+    *runs = (cagd_fit_runs){.probability = NAN, .local_probability = NAN, .next_probability = NAN, .lag_probability = NAN};
     REQUIRE(list != NULL, CAGD_NO_MEMORY);
     for (int i = 0; i < n; i++)
         list[i] = (keyed){r->feet[i], i};

@@ -1,5 +1,5 @@
 /* test_verdict.c -- whether a fit is called good: true models are, a nose that they pass by is not, and structure counts unless all distances are
- * beneath what the points are given to. */
+ * beneath what the points are given to; of few points as of many, and deviations that are given wrongly are told. */
 #include "core/fit/cagd_fit.h"
 #include "proofs-tests/fit/noise.h"
 
@@ -195,11 +195,114 @@ static void test_beneath(void)
     ask(counts(quality_of(1, 0.01, 0.01, 0)), "beyond it it counts");
 }
 
+/* ---- few points ---------------------------------------------------------------------------------------------- */
+
+/* What is chosen for `count` points of a curve, with errors of `noise` and with deviations unless these are 0. */
+static cagd_fit_quality choose_for(int count, void (*curve)(double u, double q[2]), int closed, double noise, double deviation, int draw,
+                                   cagd_fit_result **fit)
+{
+    cagd_fit_quality quality = {.problems = ~0};
+    const cagd_fit_choices choices = cagd_fit_choices_all();
+    cagd_fit_options options = cagd_fit_defaults();
+    state = 1000003u * (uint64_t)(draw + 1) + 29;
+    for (int i = 0; i < count; i++) {
+        curve(closed ? (double)i / count : i / (count - 1.0), Q + 2 * i);
+        for (int c = 0; c < 2 && noise > 0; c++)
+            Q[2 * i + c] += noise * normal();
+        sigma[i] = deviation;
+    }
+    const cagd_fit_data data = {count, 2, Q, deviation > 0 ? sigma : NULL};
+    options.without_intervals = 1;
+    *fit = NULL;
+    ask(cagd_fit_choose(&data, &options, &choices, fit, NULL) == CAGD_OK && cagd_fit_quality_of(&data, &options, *fit, &quality) == CAGD_OK,
+        "a curve is chosen");
+    return quality;
+}
+
+static int is_spline(const cagd_fit_result *fit) { return fit != NULL && !fit->found.ellipse.known && fit->curve.degree == 3; }
+
+static void on_egg(double u, double q[2])
+{
+    q[0] = 2 * cos(2 * PI * u) + 0.4 * cos(4 * PI * u), q[1] = 1.4 * sin(2 * PI * u) - 0.1 * sin(4 * PI * u);
+}
+
+static void on_cubic(double u, double q[2]) { q[0] = u, q[1] = u * (1 - u) + 0.1 * u * u * u; }
+static void on_five(double u, double q[2]) { q[0] = 30 * u, q[1] = 0.05 * sin(12 * PI * u); } /* five points a wave, of 31 */
+static void on_circle(double u, double q[2]) { on_ring(0, u, q); }
+
+/* Exact points, too few for the sides of neighbours to tell anything. */
+static void test_few(void)
+{
+    cagd_fit_result *fit;
+    for (int count = 20; count <= 25; count += 5) {
+        cagd_fit_quality q = choose_for(count, on_egg, 1, 0, 0, 0, &fit);
+        ask(is_spline(fit) && fit->rms < 0.02 && q.problems == 0, "an egg of few points is a spline, and no ellipse");
+        cagd_fit_free(fit);
+    }
+    cagd_fit_quality q = choose_for(12, on_cubic, 0, 0, 0, 0, &fit);
+    ask(is_spline(fit) && fit->rms < 1e-6 && q.problems == 0, "a cubic of twelve points is no conic");
+    cagd_fit_free(fit);
+    cagd_fit_options options = cagd_fit_defaults();
+    options.degree = 1;
+    options.free &= ~CAGD_FIT_WEIGHTS;
+    for (int i = 0; i < 31; i++)
+        on_five(i / 30.0, Q + 2 * i);
+    const cagd_fit_data data = {31, 2, Q, NULL};
+    ask(cagd_fit(&data, &options, &fit, NULL) == CAGD_OK && cagd_fit_quality_of(&data, &options, fit, &q) == CAGD_OK, "a line is fitted");
+    ask(q.problems & CAGD_FIT_STRUCTURE && q.runs.lag == 5 && !(q.runs.probability < 0.01) && !(q.runs.local_probability < 0.01),
+        "a wave of five points is seen by what is five apart, though neighbours say nothing");
+    cagd_fit_free(fit);
+}
+
+/* Of 25 points with noise the true model is good. */
+static void test_few_by_chance(void)
+{
+    int circles = 0, parabolas = 0, splines = 0;
+    for (int d = 0; d < DRAWS; d++) {
+        cagd_fit_result *fit;
+        circles += choose_for(25, on_circle, 1, NOISE, 0, d, &fit).problems != 0;
+        splines += is_spline(fit);
+        cagd_fit_free(fit);
+        parabolas += choose_for(25, on_parabola, 0, NOISE / 4, 0, d, &fit).problems != 0;
+        splines += is_spline(fit);
+        cagd_fit_free(fit);
+    }
+    printf("of %d circles of 25 points %d are not good, of %d parabolas %d; %d are taken for splines\n", DRAWS, circles, DRAWS, parabolas, splines);
+    ask(20 * circles <= DRAWS && 20 * parabolas <= DRAWS && 20 * splines <= 2 * DRAWS, "so are those of few points");
+}
+
+/* ---- given deviations ------------------------------------------------------------------------------------------ */
+
+static void test_deviations(void)
+{
+    cagd_fit_result *fit;
+    int alarms = 0;
+    cagd_fit_quality q = choose_for(30, on_parabola, 0, NOISE, NOISE / 50, 0, &fit);
+    ask(q.problems == CAGD_FIT_DEVIATIONS && fit->curve.degree <= 2, "deviations fifty times too small count, and ask for no spline");
+    cagd_fit_free(fit);
+    q = choose_for(30, on_parabola, 0, NOISE / 10, NOISE, 0, &fit);
+    ask(q.problems == 0 && q.too_large, "deviations ten times too large are told");
+    cagd_fit_free(fit);
+    q = choose_for(25, on_egg, 1, 0.001, 0.001, 0, &fit);
+    ask(is_spline(fit) && !(q.problems & CAGD_FIT_DEVIATIONS), "an egg with deviations is no ellipse");
+    cagd_fit_free(fit);
+    for (int d = 0; d < DRAWS; d++) {
+        q = choose_for(30, on_parabola, 0, NOISE, NOISE, d, &fit);
+        alarms += (q.problems & CAGD_FIT_DEVIATIONS) != 0 || q.too_large;
+        cagd_fit_free(fit);
+    }
+    printf("of %d parabolas with their deviations %d are told that these are too small or too large\n", DRAWS, alarms);
+    ask(50 * alarms <= DRAWS, "true deviations are called too small or too large one time in fifty at most");
+}
+
 int main(void)
 {
     test_beneath();
     test_detour();
     test_lines();
+    test_few();
+    test_deviations();
+    test_few_by_chance();
     test_chance();
     return failed > 0;
 }
