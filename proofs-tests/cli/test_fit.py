@@ -817,6 +817,62 @@ class Fits(Case):
                         self.assertEqual([b[4] for b in labels[:k] if left < b[2] and b[0] < right and top < b[3] and b[1] < bottom], [])
         self.assertGreater(names, 40)
 
+    def picture(self, rows, *options):
+        svg = self.folder / "p.svg"
+        r = run("fit", self.file(table(rows)), "--no-verify", "--svg", svg, *options)
+        self.assertEqual(r.stderr, b"")
+        root = xml.dom.minidom.parse(str(svg)).documentElement
+        return root, *(root.getElementsByTagName(tag)[0].firstChild.data for tag in ("title", "desc"))
+
+    def test_the_title_says_what_was_fitted_and_whether_it_is_good(self):
+        r = random.Random(5)
+        line = [[k / 40, k / 80 + r.gauss(0, 0.003)] for k in range(40)]
+        turn = [2 * math.pi * k / 40 for k in range(40)]
+        circle = [[math.cos(a) + r.gauss(0, 0.01), math.sin(a) + r.gauss(0, 0.01)] for a in turn]
+        ellipse = [[2 * math.cos(a) + r.gauss(0, 0.01), math.sin(a) + r.gauss(0, 0.01)] for a in turn]
+        wave = [[k / 20, math.sin(k / 10) + r.gauss(0, 0.01)] for k in range(100)]
+        end = " fitted to measured points"
+        for rows, options, title in [(line, ["--degree", "1"], "A straight line" + end), (circle, [], "A circle" + end), (ellipse, [], "An ellipse" + end),
+                                     (quadratic(30, 0.75, 0.01), [], "A rational curve" + end), (wave, [], "A spline curve" + end),
+                                     (wave, ["--degree", "3", "--free", "inner,ends"], "A Bézier curve" + end + ", NOT good: structure in the distances")]:
+            with self.subTest(title):
+                _, said, description = self.picture(rows, *options)
+                self.assertEqual(said, title)
+                self.assertEqual("The fit is NOT good: the distances are no noise" in description, "NOT" in title)
+                self.assertEqual("rational curve" in description, any(word in title for word in ("rational", "circle", "ellipse")))
+
+    def test_the_label_of_the_largest_distance_belongs_to_its_point(self):
+        """No other point is nearer to it, or a line leads to its own; the dots in the legend are those of the picture."""
+        for seed in range(12):
+            r = random.Random(seed)
+            root, _, _ = self.picture([[math.cos(k / 40) + r.gauss(0, 0.01), math.sin(k / 40) + r.gauss(0, 0.01)] for k in range(150)])
+            paths = root.getElementsByTagName("path")
+            self.assertEqual(len({p.getAttribute("stroke-width") for p in paths if p.getAttribute("class") == "p point"}), 1)
+            self.assertEqual(sum(p.getAttribute("class") == "p point" for p in paths), 3)
+            own = [c for c in root.getElementsByTagName("circle") if c.getAttribute("class") == "m point"]
+            self.assertEqual(len(own), 1)
+            at = float(own[0].getAttribute("cx")), float(own[0].getAttribute("cy"))
+            (label, points), = [(b[0], points) for b, points in self.boxes(self.folder / "p.svg") if b and "line " in b[0][4]]
+            far = lambda p: math.hypot(max(label[0] - p[0], 0, p[0] - label[2]), max(label[1] + 2 - p[1], 0, p[1] - label[3]))
+            led = any(p.getAttribute("class") == "h point" for p in paths)
+            self.assertTrue(led or min(far(p) for p in points if math.dist(p, at) > 1) > far(at), seed)
+
+    def test_points_of_space_are_seen_from_where_they_are_broad(self):
+        turn = [2 * math.pi * k / 60 for k in range(60)]
+        ring = [[10 + 0.1 * math.cos(a) ** 2, math.cos(a), math.sin(a)] for a in turn]
+        for rows, views in [(ring, "from above and from the side"), ([[z, y, 0.1 * x] for x, y, z in ring], "from above and from the front"),
+                            ([[y, x, z] for x, y, z in ring], "from above and from the front"), ([[0.01 * x, y + z * z, z] for x, y, z in ring], "from the side"),
+                            ([[math.cos(a), math.sin(a), a / 3] for a in turn], "from above and from the front")]:
+            root, _, description = self.picture(rows, "--dim", "3")
+            self.assertIn(views, description)
+            shown = self.writing(self.folder / "p.svg")
+            for view in "from above", "from the front", "from the side":
+                self.assertEqual(view in description, ">" + view + "<" in shown, (view, shown))
+
+    def test_without_degrees_of_freedom_nothing_can_be_said(self):
+        self.assertIn("Fit nothing can be said of the distances: there are as many unknowns as equations", self.text(quadratic(5, 0.75, 0.01)))
+        self.assertIn("Fit nothing was found against it", self.text(quadratic(12, 0.75, 0.01)))
+
     def test_points_on_the_curve_are_said(self):
         """Then the standard errors are those of the arithmetic."""
         for rows, on_curve in [(quadratic(15), True), (quadratic(15, 0.75, 1e-9), False),
