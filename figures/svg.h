@@ -132,7 +132,8 @@ typedef struct svg_crowd {
 } svg_crowd;
 
 /* A label or a remark beside `at`, inside the window, over no point of the crowd and no other words: in the given direction, or in another one,
- * or farther away.  0, and nothing is put, where there is no room. */
+ * or farther away.  0, and nothing is put, where there is no room.  From a remark that stands as near to another point of the crowd
+ * a hairline leads to its own. */
 int svg_label_clear(svg *s, svg_point at, enum svg_direction towards, const svg_crowd *crowd, enum svg_role role,
                     const char *markup);
 int svg_note_clear(svg *s, svg_point at, enum svg_direction towards, const svg_crowd *crowd, enum svg_role role,
@@ -148,6 +149,8 @@ enum svg_direction svg_direction_of(svg_point from, svg_point to);
 /* Entries of the legend, below the panels, in the order of the calls: a line, a point, a shaded box. */
 void svg_legend_line(svg *s, enum svg_role role, const char *markup);
 void svg_legend_mark(svg *s, enum svg_role role, enum svg_shape shape, const char *markup);
+/* A dot as those of a cloud of that diameter. */
+void svg_legend_dot(svg *s, enum svg_role role, int diameter, const char *markup);
 void svg_legend_area(svg *s, enum svg_role role, const char *markup);
 
 /* ---- Points and lines -------------------------------------------------------------------------

@@ -6,6 +6,7 @@
  * DejaVu, which stands in their place where they are not there, and is wider. */
 #include "figures/svg_parts.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -308,6 +309,24 @@ static struct box box_at(struct stand at, long width, long size)
     return (struct box){left, at.y - size * 78 / 100, left + width, at.y + size * 24 / 100};
 }
 
+/* The nearest place of an interval. */
+static long nearest(long x, long low, long high) { return x < low ? low : x > high ? high : x; }
+
+/* Whether some other point of the crowd is less than half as far again from the box as (x, y) is. */
+static bool another_is_near(const struct sight *v, const svg_crowd *crowd, long x, long y, struct box b)
+{
+    enum { SAME = 100 }; /* nearer to (x, y) than this is the point itself */
+    const double own = hypot((double)(x - nearest(x, b.left, b.right)), (double)(y - nearest(y, b.top, b.bottom)));
+    bool near = false;
+    for (int i = 0; i < crowd->points && !near; i++) {
+        const long px = lround(100 * (crowd->point[2 * i] - v->x0) * v->scale_x),
+                   py = lround(100 * (v->y1 - crowd->point[2 * i + 1]) * v->scale_y);
+        near = hypot((double)(px - x), (double)(py - y)) > SAME &&
+               hypot((double)(px - nearest(px, b.left, b.right)), (double)(py - nearest(py, b.top, b.bottom))) < 1.5 * own;
+    }
+    return near;
+}
+
 static int clear_words(svg *s, svg_point at, enum svg_direction towards, const svg_crowd *crowd, enum text_kind kind,
                        enum svg_role role, bool mathematics, const char *markup)
 {
@@ -337,6 +356,10 @@ static int clear_words(svg *s, svg_point at, enum svg_direction towards, const s
         }
     if (lowest >= 0)
         put_words(s, p, best.x, best.y, best.anchor, kind, role, mathematics, markup);
+    const struct box b = box_at(best, width, em);
+    if (lowest >= 0 && kind == KIND_NOTE && another_is_near(&v, crowd, x, y, b))
+        put(&p->layer[LINES], "<path class=\"h %s\" d=\"M%h %hL%h %h\"/>\n", role_class(s, role), x, y, nearest(x, b.left, b.right),
+            nearest(y, b.top, b.bottom));
     region_drop(mark);
     return lowest >= 0;
 }
@@ -403,6 +426,14 @@ void svg_legend_mark(svg *s, enum svg_role role, enum svg_shape shape, const cha
     struct string *out = new_key(s, SAMPLE / 3, markup);
     if (out != NULL)
         put_mark(s, out, SAMPLE / 6, 0, role, shape);
+}
+
+void svg_legend_dot(svg *s, enum svg_role role, int diameter, const char *markup)
+{
+    struct string *out = new_key(s, SAMPLE / 3, markup);
+    if (out != NULL)
+        put(out, "<path class=\"p %s\" stroke-width=\"%h\" d=\"M%h 0h0\"/>\n", role_class(s, role), (long)diameter, (long)(SAMPLE / 6));
+    s->clouded = true;
 }
 
 void svg_legend_area(svg *s, enum svg_role role, const char *markup)

@@ -5,10 +5,15 @@
 #include <stdlib.h>
 
 /* What quality says, shortly, from its lowest bit on. */
-static const char *const problem_name[] = {"excursions",           "loops",           "gaps", "structure in the distances",
-                                           "a control point far outside", "feet that go back", "large distances",
-                                           "a curve that is too simple", "distances too large for the given deviations"};
-enum { PROBLEMS = sizeof problem_name / sizeof *problem_name };
+const char *const problem_name[MOST_PROBLEMS] = {"excursions",
+                                                 "loops",
+                                                 "gaps",
+                                                 "structure in the distances",
+                                                 "a control point far outside",
+                                                 "feet that go back",
+                                                 "large distances",
+                                                 "a curve that is too simple",
+                                                 "distances too large for the given deviations"};
 
 /* Whether it has to be said which degree is meant: without one, other options ask for another. */
 static int needs_degree(const cagd_fit_trial *t) { return !t->choices.form && !t->choices.degree; }
@@ -99,7 +104,7 @@ static void put_outcome(FILE *out, const struct fit *f, const cagd_fit_trial *t)
     }
     if (t->problems == 0)
         fputs("nothing is found against that fit", out);
-    for (int k = 0; k < PROBLEMS; k++)
+    for (int k = 0; k < MOST_PROBLEMS; k++)
         if (t->problems & 1 << k)
             fprintf(out, "%s%s%s", said++ > 0 ? ", " : "", f->quality.problems & 1 << k ? "still " : "", problem_name[k]);
     fprintf(out, ", rms %.3g%s", t->rms, t->options.loss == CAGD_FIT_SQUARES ? "" : " without outliers");
@@ -142,7 +147,7 @@ json_t *cures_json(const struct fit *f)
         FILE *out = text_open(&text, &size);
         put_options(out, t);
         text_close(out, &text);
-        for (int j = 0; j < PROBLEMS && t->minimum; j++)
+        for (int j = 0; j < MOST_PROBLEMS && t->minimum; j++)
             if (t->problems & 1 << j)
                 json_array_append_new(problems, json_string(problem_name[j]));
         json_array_append_new(list, json_pack("{s:s, s:b, s:o, s:o}", "options", text, "converged", t->minimum,

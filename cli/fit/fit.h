@@ -85,8 +85,10 @@ void print_choice(const struct fit *f);  /* what was chosen, and why: verdict.c 
 void print_ellipse(const struct fit *f); /* verdict.c */
 void print_quality(const struct fit *f); /* verdict.c */
 /* Sentences without full stop about what is not good, each with what was tried and cures it; their number (verdict.c). */
-enum { MOST_PROBLEMS = 8 };
+enum { MOST_PROBLEMS = 9 };
 int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS]);
+/* What they are, shortly, from the lowest bit of the quality on (cures.c). */
+extern const char *const problem_name[MOST_PROBLEMS];
 /* " (not so with OPTIONS)", those of the best trial, else of the first that has neither this problem nor a new one; nothing where there is none (cures.c). */
 void put_cure(FILE *out, const struct fit *f, int problem);
 void print_cures(const struct fit *f);

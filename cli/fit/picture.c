@@ -54,11 +54,13 @@ static void draw_bars(svg *s, const struct view *v)
     }
 }
 
+static int diameter_of(int count) { return count > MOST_LARGE ? 190 : 420; }
+
 /* As marks where they are few, as dots, the smaller the more there are, where they are many. */
 static void put_points(svg *s, int count, const num_q P[])
 {
     if (count > MOST_MARKS)
-        svg_cloud(s, count, P, count > MOST_LARGE ? 190 : 420, SVG_POINT);
+        svg_cloud(s, count, P, diameter_of(count), SVG_POINT);
     for (int i = 0; i < count && count <= MOST_MARKS; i++)
         svg_mark(s, svg_pair(P + 2 * i), SVG_POINT, SVG_USUAL);
 }
@@ -190,6 +192,8 @@ static void draw_distances(svg *s, const struct fit *f)
     if (r->largest > 0) {
         char line[32];
         snprintf(line, sizeof line, "line %d", f->points.line[k]);
+        if (r->count > MOST_MARKS && !r->outlier[k])
+            svg_mark(s, svg_pair(P + 2 * k), SVG_POINT, SVG_USUAL);
         double *point = region_bytes(2 * (size_t)r->count * sizeof *point);
         for (int i = 0; i < r->count; i++)
             point[2 * i] = to_double_q(P[2 * i]), point[2 * i + 1] = to_double_q(P[2 * i + 1]);
@@ -199,30 +203,99 @@ static void draw_distances(svg *s, const struct fit *f)
     region_drop(mark);
 }
 
+/* ---- from where points of space are seen ------------------------------------------------------------- */
+
+enum views { TOP_FRONT, TOP_SIDE, FRONT_SIDE };
+
+/* The smaller eigenvalue of the covariance of two coordinates of the points, how far they are from a straight line. */
+static double breadth(const cagd_fit_data *d, int a, int b)
+{
+    double mean[2] = {0}, xx = 0, xy = 0, yy = 0;
+    for (int i = 0; i < d->count; i++)
+        mean[0] += d->points[i * d->dim + a] / d->count, mean[1] += d->points[i * d->dim + b] / d->count;
+    for (int i = 0; i < d->count; i++) {
+        double x = d->points[i * d->dim + a] - mean[0], y = d->points[i * d->dim + b] - mean[1];
+        xx += x * x, xy += x * y, yy += y * y;
+    }
+    return ((xx + yy) - hypot(xx - yy, 2 * xy)) / (2 * d->count);
+}
+
+/* From above and from the front, unless from the side the points are twice as broad as from one of them. */
+static enum views views_of_space(const struct fit *f)
+{
+    const double top = breadth(&f->data, 0, 1), front = breadth(&f->data, 0, 2), side = breadth(&f->data, 1, 2);
+    return side > 4 * fmin(top, front) ? top < front ? FRONT_SIDE : TOP_SIDE : TOP_FRONT;
+}
+
 /* ---- the picture ----------------------------------------------------------------------------------- */
+
+/* Whether the weights are not all 1. */
+static int is_rational(const struct fit *f)
+{
+    int rational = fits_weights(f);
+    for (int j = 0; j < f->result->curve.count; j++)
+        rational |= f->result->curve.weights[j] != 1;
+    return rational;
+}
 
 static void describe(const struct fit *f, FILE *out)
 {
     const cagd_fit_result *r = f->result;
     fprintf(out,
-            "%d measured points %s; %s rational curve of degree %d with %d control points%s, "
+            "%d measured points %s; %s%s curve of degree %d with %d control points%s, "
             "with its control polygon; below, the %s of every point over the parameter of its foot%s. "
             "Root mean square distance %.3g, largest %.3g.",
-            f->data.count, f->data.dim == 2 ? "in the plane" : "in space, from above and from the front",
-            cagd_fit_is_minimum(f->result) && !nothing_is_free(f) ? "the" : "a", r->curve.degree, r->curve.count,
+            f->data.count,
+            f->data.dim == 2                ? "in the plane"
+            : views_of_space(f) == TOP_SIDE ? "in space, from above and from the side"
+            : views_of_space(f) == FRONT_SIDE ? "in space, from the front and from the side"
+                                            : "in space, from above and from the front",
+            cagd_fit_is_minimum(f->result) && !nothing_is_free(f) ? "the" : "a", is_rational(f) ? " rational" : "", r->curve.degree,
+            r->curve.count,
             nothing_is_free(f)               ? " that is given"
             : cagd_fit_is_minimum(f->result) ? " that comes closest to them"
                                              : " that the minimiser reached, not known to be a minimum",
             f->data.dim == 2 ? "signed distance" : "distance",
             isfinite(cagd_fit_deviation(&f->data, f->result, 0)) ? ", with a band of two standard deviations" : "",
             r->rms, r->largest);
+    char *sentence[MOST_PROBLEMS];
+    const int problems = problems_of(f, sentence);
+    for (int k = 0; k < problems; k++) {
+        fprintf(out, "%s%s", k == 0 ? " The fit is NOT good: " : "; ", sentence[k]);
+        free(sentence[k]);
+    }
+    fputs(problems > 0 ? "." : "", out);
+}
+
+/* What the picture is of, and what speaks against it. */
+static void entitle(const struct fit *f, FILE *out)
+{
+    const cagd_fit_result *r = f->result;
+    const int conic = is_ellipse(f), segments = r->curve.count > r->curve.degree + 1;
+    if (nothing_is_free(f)) {
+        fputs("Measured points and a given curve", out);
+        return;
+    }
+    fprintf(out, "%s fitted to measured points",
+            conic && r->found.ellipse.circle    ? r->found.ellipse.whole ? "A circle" : "An arc of a circle"
+            : conic                             ? r->found.ellipse.whole ? "An ellipse" : "An arc of an ellipse"
+            : r->curve.degree == 1 && !segments ? "A straight line"
+            : is_rational(f)                    ? "A rational curve"
+            : segments || r->period > 0         ? "A spline curve"
+                                                : "A Bézier curve");
+    for (int k = 0, said = 0; k < MOST_PROBLEMS; k++)
+        if (f->quality.problems & 1 << k)
+            fprintf(out, "%s%s", said++ > 0 ? ", " : ", NOT good: ", problem_name[k]);
 }
 
 /* beyond: control points lie beyond the border of a view. */
 static void legend(svg *s, const struct fit *f, int beyond)
 {
     int bars = f->data.sigma != NULL && f->data.count <= MOST_MARKS;
-    svg_legend_mark(s, SVG_POINT, SVG_USUAL, bars ? "measured $± s$" : "measured");
+    if (f->data.count > MOST_MARKS)
+        svg_legend_dot(s, SVG_POINT, diameter_of(f->data.count), "measured");
+    else
+        svg_legend_mark(s, SVG_POINT, SVG_USUAL, bars ? "measured $± s$" : "measured");
     svg_legend_line(s, SVG_CURVE,
                     nothing_is_free(f)               ? "given curve"
                     : cagd_fit_is_minimum(f->result) ? "fitted curve"
@@ -242,17 +315,24 @@ int write_picture(const struct fit *f, const char *path)
     FILE *out = text_open(&description, &size);
     describe(f, out);
     text_close(out, &description);
-    svg *s = svg_new("fit",
-                     nothing_is_free(f) ? "Measured points and a given rational curve"
-                                        : "A rational curve fitted to measured points",
-                     description);
+    char *title;
+    out = text_open(&title, &size);
+    entitle(f, out);
+    text_close(out, &title);
+    svg *s = svg_new("fit", title, description);
+    free(title);
     free(description);
     int beyond = 0;
     if (f->data.dim == 2) {
         beyond = draw_view(s, f, 0, 1, WIDTH, "");
     } else {
-        beyond = draw_view(s, f, 0, 1, VIEW_WIDTH, "from above");
-        beyond |= draw_view(s, f, 0, 2, VIEW_WIDTH, "from the front");
+        const enum views views = views_of_space(f);
+        if (views != FRONT_SIDE)
+            beyond |= draw_view(s, f, 0, 1, VIEW_WIDTH, "from above");
+        if (views != TOP_SIDE)
+            beyond |= draw_view(s, f, 0, 2, VIEW_WIDTH, "from the front");
+        if (views != TOP_FRONT)
+            beyond |= draw_view(s, f, 1, 2, VIEW_WIDTH, "from the side");
     }
     draw_distances(s, f);
     legend(s, f, beyond);

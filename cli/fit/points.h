@@ -10,7 +10,7 @@
  *
  * Numbers are decimal or hexadecimal, read to the nearest binary64 whatever the locale is.  A comma in a number is the
  * decimal comma; it is possible where commas do not separate fields, and in quotes.  Decimal commas and decimal points
- * do not stand in one file.
+ * do not stand in one file.  A unit of length or angle may stand behind numbers, the same in all of them.
  *
  * Lines before the first row.  Such a line has no number in it; or it begins with a letter, or is one number alone, and
  * the next line is a row of numbers.  The last one that has as many fields as the rows names the columns; the others, titles
@@ -23,10 +23,12 @@
  * these a file holds one line of points; of several nothing is chosen.
  *
  * Columns.  Of the names, whatever follows the first blank,
- * slash or bracket is a unit.  x, y, and perhaps z are the coordinates; sigma, s, sd, std, stddev or σ is the standard
- * deviation of every coordinate of the point; other columns are passed over.  Names among which neither x nor y is,
- * and no names: two columns are x y, four are x y z sigma, and three are x y z or x y sigma as --dim or
- * --sigma-column say; nothing is guessed. */
+ * slash or bracket is a unit.  x, y, and perhaps z are the coordinates, or a pair of names that maps and surveyors use, such as
+ * easting northing, Rechtswert Hochwert, 横坐标 纵坐标, and with three coordinates asked for a height beside it; sigma, s, sd, std,
+ * stddev or σ is the standard deviation of every coordinate of the point.  Without such names a column that is called
+ * a number or a name of the points (Nr., id, Punkt, 序号) is none of a coordinate, and if then two columns are left beside a standard
+ * deviation, they are x and y.  Columns that are not used are told.  Other names, and no names: two columns are x y, four are
+ * x y z sigma, and three are x y z or x y sigma as --dim or --sigma-column say; nothing is guessed. */
 #ifndef CAGD_POINTS_H
 #define CAGD_POINTS_H
 

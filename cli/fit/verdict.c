@@ -350,7 +350,11 @@ void print_quality(const struct fit *f)
         free(sentence[k]);
     }
     text_close(out, &text);
-    if (count == 0)
+    if (count == 0 && f->result->degrees_of_freedom <= 0)
+        say("Fit",
+            "nothing can be said of the distances: there are as many unknowns as equations, so the curve follows whatever "
+            "errors the points have; no loops or excursions, no gaps");
+    else if (count == 0)
         say("Fit", "nothing was found against it: no loops or excursions, no gaps%s",
             beneath_what(f) != NULL ? "; structure as below" : ", no structure in the distances");
     else

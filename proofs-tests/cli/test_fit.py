@@ -394,7 +394,10 @@ class Mistakes(Case):
         self.refuses("1\n2\n", ["line 1", "1 column"])
         self.refuses("1,2,3,4,5\n", ["line 1", "5 columns"])
         self.refuses("x,x,y\n1,2,3\n", ["line 1", "two columns are called x"])
-        self.refuses("x,z\n1,2\n", ["line 1", "no column is called y"])
+        self.refuses("x,z,w\n1,2,3\n", ["line 1", "no column is called y"])
+        self.refuses("a,b,z\n1,2,3\n", ["line 1", "a column is called z, none x and y"])
+        self.refuses("a,b,c\n1,2,3\n", ["line 1", "three columns", "names do not say which", "--dim 3", "--dim 2"])
+        self.refuses("1,2.5,3\n2,3.5,4\n", ["line 1", "three columns", "numbers the points", "nr x y"])
         self.refuses("x,y\n1,2\n", ["--dim 3", "z"], "--dim", "3")
         self.refuses("1,2\n", ["--sigma-column 3", "2 columns"], "--sigma-column", "3")
         self.refuses("x,y,s\n1,2,3\n", ["--sigma-column q", "no column"], "--sigma-column", "q")
@@ -813,6 +816,62 @@ class Fits(Case):
                         self.assertEqual(over, [])
                         self.assertEqual([b[4] for b in labels[:k] if left < b[2] and b[0] < right and top < b[3] and b[1] < bottom], [])
         self.assertGreater(names, 40)
+
+    def picture(self, rows, *options):
+        svg = self.folder / "p.svg"
+        r = run("fit", self.file(table(rows)), "--no-verify", "--svg", svg, *options)
+        self.assertEqual(r.stderr, b"")
+        root = xml.dom.minidom.parse(str(svg)).documentElement
+        return root, *(root.getElementsByTagName(tag)[0].firstChild.data for tag in ("title", "desc"))
+
+    def test_the_title_says_what_was_fitted_and_whether_it_is_good(self):
+        r = random.Random(5)
+        line = [[k / 40, k / 80 + r.gauss(0, 0.003)] for k in range(40)]
+        turn = [2 * math.pi * k / 40 for k in range(40)]
+        circle = [[math.cos(a) + r.gauss(0, 0.01), math.sin(a) + r.gauss(0, 0.01)] for a in turn]
+        ellipse = [[2 * math.cos(a) + r.gauss(0, 0.01), math.sin(a) + r.gauss(0, 0.01)] for a in turn]
+        wave = [[k / 20, math.sin(k / 10) + r.gauss(0, 0.01)] for k in range(100)]
+        end = " fitted to measured points"
+        for rows, options, title in [(line, ["--degree", "1"], "A straight line" + end), (circle, [], "A circle" + end), (ellipse, [], "An ellipse" + end),
+                                     (quadratic(30, 0.75, 0.01), [], "A rational curve" + end), (wave, [], "A spline curve" + end),
+                                     (wave, ["--degree", "3", "--free", "inner,ends"], "A Bézier curve" + end + ", NOT good: structure in the distances")]:
+            with self.subTest(title):
+                _, said, description = self.picture(rows, *options)
+                self.assertEqual(said, title)
+                self.assertEqual("The fit is NOT good: the distances are no noise" in description, "NOT" in title)
+                self.assertEqual("rational curve" in description, any(word in title for word in ("rational", "circle", "ellipse")))
+
+    def test_the_label_of_the_largest_distance_belongs_to_its_point(self):
+        """No other point is nearer to it, or a line leads to its own; the dots in the legend are those of the picture."""
+        for seed in range(12):
+            r = random.Random(seed)
+            root, _, _ = self.picture([[math.cos(k / 40) + r.gauss(0, 0.01), math.sin(k / 40) + r.gauss(0, 0.01)] for k in range(150)])
+            paths = root.getElementsByTagName("path")
+            self.assertEqual(len({p.getAttribute("stroke-width") for p in paths if p.getAttribute("class") == "p point"}), 1)
+            self.assertEqual(sum(p.getAttribute("class") == "p point" for p in paths), 3)
+            own = [c for c in root.getElementsByTagName("circle") if c.getAttribute("class") == "m point"]
+            self.assertEqual(len(own), 1)
+            at = float(own[0].getAttribute("cx")), float(own[0].getAttribute("cy"))
+            (label, points), = [(b[0], points) for b, points in self.boxes(self.folder / "p.svg") if b and "line " in b[0][4]]
+            far = lambda p: math.hypot(max(label[0] - p[0], 0, p[0] - label[2]), max(label[1] + 2 - p[1], 0, p[1] - label[3]))
+            led = any(p.getAttribute("class") == "h point" for p in paths)
+            self.assertTrue(led or min(far(p) for p in points if math.dist(p, at) > 1) > far(at), seed)
+
+    def test_points_of_space_are_seen_from_where_they_are_broad(self):
+        turn = [2 * math.pi * k / 60 for k in range(60)]
+        ring = [[10 + 0.1 * math.cos(a) ** 2, math.cos(a), math.sin(a)] for a in turn]
+        for rows, views in [(ring, "from above and from the side"), ([[z, y, 0.1 * x] for x, y, z in ring], "from above and from the front"),
+                            ([[y, x, z] for x, y, z in ring], "from above and from the front"), ([[0.01 * x, y + z * z, z] for x, y, z in ring], "from the side"),
+                            ([[math.cos(a), math.sin(a), a / 3] for a in turn], "from above and from the front")]:
+            root, _, description = self.picture(rows, "--dim", "3")
+            self.assertIn(views, description)
+            shown = self.writing(self.folder / "p.svg")
+            for view in "from above", "from the front", "from the side":
+                self.assertEqual(view in description, ">" + view + "<" in shown, (view, shown))
+
+    def test_without_degrees_of_freedom_nothing_can_be_said(self):
+        self.assertIn("Fit nothing can be said of the distances: there are as many unknowns as equations", self.text(quadratic(5, 0.75, 0.01)))
+        self.assertIn("Fit nothing was found against it", self.text(quadratic(12, 0.75, 0.01)))
 
     def test_points_on_the_curve_are_said(self):
         """Then the standard errors are those of the arithmetic."""
@@ -1692,7 +1751,55 @@ class Fits(Case):
             self.assertIn("are taken as they are, as coordinates x and y of a plane", " ".join(out.split()))
         other = table([[k, y, x] for k, x, y in rows], names=["id", "lat", "lon"])
         self.assertAlmostEqual(self.fit(other, "--no-verify")["curve"]["points"][0][0], rows[0][1], 1)
-        self.refuses(table(rows, names=["id", "E", "lat"]), "three columns without names", "--no-verify")
+        self.refuses(table(rows, names=["id", "E", "lat"]), ["line 1", "no column is the other coordinate beside E"], "--no-verify")
+
+    def notes(self, text, *options):
+        """x and y of the second point, the dimension, whether standard deviations were read, and what was noted."""
+        points = self.folder / "r.csv"
+        d = self.fit(text, "--no-verify", "--max-iterations", "1", "--residuals", points, *options, code=None)
+        row = list(csv.DictReader(points.read_text().splitlines()))[1]
+        return [float(row[c]) for c in "xyz" if c in row], d["points"]["sigma"], d["points"]["notes"]
+
+    def test_columns_that_are_no_coordinates(self):
+        """Numbers and names of points are set aside, what is left over is told, and nothing else is guessed."""
+        rows = [[k + 1, x, y] for k, (x, y) in enumerate(quadratic(12, noise=0.01))]
+        at, sigma = rows[1][1:], [0.01]
+        plane = "%s and %s are taken as coordinates x and y of a plane"
+        map_of = "%s and %s are taken as they are, as coordinates x and y of a plane"
+        for names, noted in [(["Punkt", "Ost", "Nord"], map_of % ("ost", "nord")), (["序号", "横坐标", "纵坐标"], None),
+                             (["Pkt.-Nr.", "东坐标", "北坐标"], map_of % ("东", "北")), (["Nr", "X坐标（毫米）", "Y坐标（毫米）"], None),
+                             (["point_id", "alpha", "beta"], plane % ("alpha", "beta"))]:
+            with self.subTest(names):
+                said = [noted] if noted else []
+                unused = ["not used: " + names[0]]
+                found, deviations, notes = self.notes(table(rows, ";", names=names))
+                self.assertEqual((found, deviations, sorted(notes)), (at, "unknown", sorted(said + unused)))
+                found, deviations, notes = self.notes(table([[*row, *sigma] for row in rows], names=[*names, "sigma"]))
+                self.assertEqual((found, deviations, sorted(notes)), (at, "column", sorted(said + unused)))
+        two = [row[1:] for row in rows]
+        for names in ["x", "z"], ["t", "x"], ["y (m)", "z (m)"], ["Nr", "y"]:
+            self.assertEqual(self.notes(table(two, names=names)), (at, "unknown", [plane % tuple(names)]))
+        turned = table([[y, x, 0.01] for x, y in two], names=["Z", "X", "sigma"])
+        self.assertEqual(self.notes(turned)[::2], (at, [plane % ("X", "Z")]))
+        high = table([[*row, 5 + row[0] / 7, "BK"] for row in rows], ";", names=["Nr", "Ost", "Nord", "Höhe", "Code"], number=str)
+        self.assertEqual(self.notes(high)[2][0], "not used: Nr, Höhe, Code (--dim 3 takes Höhe as z)")
+        self.assertEqual(self.notes(high, "--dim", "3")[0], [*at, 5 + 2 / 7])
+        counted = "the first column, 1, 2, 3, ..., is taken as x and the last one as the standard deviation; if it numbers the points"
+        positive = [[k, x, y + 1] for k, x, y in rows]
+        self.assertIn(counted, self.notes(table(positive), "--dim", "2")[2][0])
+        self.assertEqual(self.notes(table([[0.5 * k, x, y + 1] for k, x, y in rows]), "--dim", "2")[2], [])
+
+    def test_units_behind_numbers(self):
+        rows = quadratic(12, noise=0.01)
+        noted = ["the unit mm stands behind the numbers, which are taken as they are"]
+        for separator in ",", ";", "\t", " , ":
+            for unit in " mm", "mm":
+                for names in None, ["x", "y"]:
+                    text = table(rows, separator, names=names, number=lambda x: repr(x) + unit)
+                    self.assertEqual(self.notes(text)[::2], (rows[1], noted))
+        self.refuses("x,y\n1 mm,2 mm\n3 mm,4 cm\n", ["line 3", "'4 cm' has another unit than mm"])
+        self.refuses("x,y\n1 mm,2 mm\n3 mm,4 oops\n", ["line 3", "'4 oops' is not a number"])
+        self.refuses("1,5, 2,25\n1,75, 2,5\n", ["line 1", "some commas have a blank behind them"])
 
     def test_pictures_of_all_kinds(self):
         for text, options in [(table(helix(30, 0.01), names=["x", "y", "z"]), ["--degree", "3"]),
