@@ -513,7 +513,7 @@ typedef struct cagd_fit_quality {
     double length_ratio;                /* NaN of points in no order                                              */
     int crossings, crossings_of_points; /* of the curve with itself, of the polygon                 */
     double gap, gap_from, gap_to;       /* the widest one as a part of the length, between two parameters */
-    double detour, detour_from, detour_to; /* how long the curve is between two neighbouring feet where it makes a detour; 0: nowhere */
+    double detour, detour_from, detour_to; /* how long the curve is between two neighbouring feet where it makes a detour; 0: nowhere, or the whole is too long */
     cagd_fit_runs runs;
     cagd_fit_beneath beneath; /* of distances with structure that is no problem; otherwise NOTHING                 */
     int far;       /* the control point; -1: none                                            */

@@ -316,6 +316,7 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
         }
         find_far(&own, r, q);
         q->problems |= q->length_ratio > LONGEST ? CAGD_FIT_EXCURSIONS : 0;
+        q->detour = q->length_ratio > LONGEST ? 0 : q->detour; /* of one of many nothing is said */
         q->problems |= q->crossings > q->crossings_of_points ? CAGD_FIT_LOOPS : 0;
         find_structure(&own, r, q);
         find_deviations(&own, options, r, q);

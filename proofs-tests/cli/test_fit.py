@@ -499,7 +499,7 @@ class Results(Case):
         n = len(d["unknowns"])
         for field in "covariance", "correlations":
             self.assertEqual([len(row) for row in d[field]], [n] * n)
-        self.assertEqual(d["points"], {"file": str(ARCH), "count": 25, "dimension": 2, "sigma": "column", "format": "table", "notes": []})
+        self.assertEqual(d["points"], {"file": str(ARCH), "count": 25, "dimension": 2, "sigma": "column", "format": "table", "notes": ["not used: phi, noise"]})
         self.assertEqual(len(d["free_directions"]), n - d["rank"])
         self.assertEqual(d["statistics"]["degrees_of_freedom"], 25 + 2 - d["rank"])
         self.assertEqual([u["name"] for u in d["unknowns"]], ["P0 x", "P0 y", "w1", "P1 x", "P1 y", "P2 x", "P2 y"])
