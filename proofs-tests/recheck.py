@@ -476,7 +476,7 @@ def check_statement(s, name, listed, claim_of):
         unable = unable or outcome
         claims[link["claim"]] = text
         wanted = "fails" if link["role"] == "refuted-by" else "holds" if link["role"] in (
-            "holds-by", "confirmed-by", "corrected-by", "checked-by") else text["outcome"]
+            "holds-by", "confirmed-by", "corrected-by", "checked-by", "reading-with") else text["outcome"]
         require(text["outcome"] == wanted, f"{link['claim']} {text['outcome']}, which is not what its role asks")
     require((s["verdict"], s["evidence"]) == derived(s, claims), "the verdict does not follow")
     if unable:

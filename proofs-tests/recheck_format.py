@@ -3,7 +3,7 @@ list of another length or an entry that stands twice is never taken for somethin
 import json, re
 
 WORDS = {"meant", "argued", "cites"} # roles without a claim
-ROLES = {"holds-by", "confirmed-by", "refuted-by", "corrected-by", "hypothesis", "needs", "reading", "checked-by"} | WORDS
+ROLES = {"holds-by", "confirmed-by", "refuted-by", "corrected-by", "hypothesis", "needs", "reading", "reading-with", "checked-by"} | WORDS
 KINDS = {"identity", "decision", "counterexample"}
 EVIDENCE = {"none", "measured", "enclosed", "sampled", "argued", "decided", "proved"}
 VERDICTS = {"holds", "conditional", "fails", "undecided", "definition"}
