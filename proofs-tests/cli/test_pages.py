@@ -61,7 +61,7 @@ class Alone(unittest.TestCase):
         """A decision "for the stated instance" shows it, as a step or as what decides a reading."""
         self.assertIn("r²                   = 111/20", show("deng-zhang-2022:sec-6-better"))
         page = show("hu-1987:1-2-interference")
-        self.assertIn("X        = (1/2, 0)", page[page.index("What decides reading 1"):])
+        self.assertIn("X        = (1/2, 0, 0)", page[page.index("What decides reading 1"):])
 
 
 class Matrices(unittest.TestCase):
@@ -159,7 +159,7 @@ class Words(unittest.TestCase):
 
     def test_readings_that_are_known_and_that_are_not(self):
         page = " ".join(show("deng-zhang-2022:fig-2").split())
-        self.assertIn("Verdict True: the points of one t stand on a straight line in equal distances, in the order of β, for the printed "
+        self.assertIn("Verdict True: the points of one t stand on a straight line in equal distances, in the order of β, or are one point, for the printed "
                       "functions (2); the same for the corrected functions (3). Not decided: that this order is from right to left (1). ", page)
 
     def test_every_undecided_verdict_begins_with_what_is_true(self):
