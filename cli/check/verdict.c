@@ -337,6 +337,12 @@ static void print_example(const struct document *d, const cagd_finding *f)
             paragraph(append("", "Here %s", root_text(f->example[k].root)), 1);
     if (f->has_root && f->of_left != NULL && f->of_left->dimension != 0)
         paragraph("There the two sides are different.", 1);
+    else if (f->is_enclosed)
+        paragraph(append("",
+                         "The left side, about %.6g, is %s the right one, about %.6g; both lie between rational "
+                         "numbers that tell it.",
+                         f->near_left, order_word[f->order + 1], f->near_right),
+                  1);
     else if (f->has_root)
         paragraph(append("The left side is ", "%s the right one.", order_word[f->order + 1]), 1);
     if (!relates)

@@ -44,7 +44,7 @@ struct amount {
 
 static int is_pi(const cagd_scope *scope, const cagd_tree *t)
 {
-    return t->kind == CAGD_NAME && t->count == 0 && strcmp(t->head, "\\pi") == 0 &&
+    return t->kind == CAGD_NAME && t->count == 0 && strcmp(t->head, CAGD_PI) == 0 &&
            cagd_defined(scope, t->head) == NULL && cagd_declared(scope, t->head) == NULL;
 }
 
@@ -189,20 +189,68 @@ static struct turn turned_by_quarters(struct turn a, int quarters)
     return turned(several(quarter, quarters), a);
 }
 
+/* So many times \pi, where the tree stands; NULL without memory. */
+static const cagd_tree *multiple_of_pi(num_q times, const cagd_tree *place)
+{
+    cagd_tree *number = cagd_tree_number(0, place->from, place->to),
+              *pi = cagd_tree_new(CAGD_NAME, place->from, place->to, 0),
+              *t = cagd_tree_new(CAGD_PRODUCT, place->from, place->to, 2);
+    if (number == NULL || pi == NULL || t == NULL)
+        return NULL;
+    number->number = times, pi->head = CAGD_PI;
+    t->at[0] = number, t->at[1] = pi;
+    return t;
+}
+
 /* The bound of a number, times \pi; where it is no number, the bound itself, which is no multiple of \pi then. */
 static const cagd_tree *times_pi(cagd_context *c, const cagd_tree *bound)
 {
     cagd_value v = bound != NULL ? cagd_evaluate(c, bound) : cagd_value_int(0);
     if (bound == NULL || region_faults != 0 || !v.rational)
         return bound;
-    cagd_tree *number = cagd_tree_number(0, bound->from, bound->to),
-              *pi = cagd_tree_new(CAGD_NAME, bound->from, bound->to, 0),
-              *t = cagd_tree_new(CAGD_PRODUCT, bound->from, bound->to, 2);
-    if (number == NULL || pi == NULL || t == NULL)
-        return bound;
-    number->number = v.q, pi->head = "\\pi";
-    t->at[0] = number, t->at[1] = pi;
-    return t;
+    const cagd_tree *t = multiple_of_pi(v.q, bound);
+    return t != NULL ? t : bound;
+}
+
+num_q cagd_below_pi(void) { return from_ratio_q(103993, 33102); }
+num_q cagd_above_pi(void) { return from_ratio_q(104348, 33215); }
+
+static int has_name(const cagd_tree *t)
+{
+    int has = t->kind == CAGD_NAME;
+    for (int k = 0; k < t->count && !has; k++)
+        has = has_name(t->at[k]);
+    return has;
+}
+
+/* A multiple of \pi that is no less than the end (up), or no greater: the end itself, or the next multiple of \pi/12 beyond a number; 0 where it is
+ * neither. */
+static int multiple_beyond(cagd_context *c, const cagd_tree *end, int up, num_q *times)
+{
+    if (end == NULL || cagd_multiple_of_pi(c->scope, end, times))
+        return end != NULL;
+    cagd_value r = has_name(end) ? (cagd_value){0} : cagd_evaluate(c, end);
+    if (region_faults != 0 || !r.rational)
+        return 0;
+    num_q twelfths = mul_q(up ? neg_q(r.q) : r.q, from_int_q(TWELFTHS)); /* over \pi, and rounded away */
+    twelfths = cagd_floor_q(div_q(twelfths, cagd_sign_q(twelfths) > 0 ? cagd_above_pi() : cagd_below_pi()));
+    *times = div_q(up ? neg_q(twelfths) : twelfths, from_int_q(TWELFTHS));
+    return 1;
+}
+
+/* The declaration with multiples of \pi for bounds, which are no tighter; without bounds where there are none. */
+static cagd_variable with_wider_bounds(cagd_context *c, const cagd_variable *v)
+{
+    cagd_variable wider = *v;
+    const cagd_tree *end[2] = {v->low, v->high};
+    for (int k = 0; k < 2; k++) {
+        num_q times;
+        end[k] = multiple_beyond(c, end[k], k, &times) ? multiple_of_pi(times, end[k]) : NULL;
+    }
+    int known = end[0] != NULL && end[1] != NULL;
+    wider.low = known ? end[0] : NULL, wider.high = known ? end[1] : NULL;
+    wider.low_open &= known, wider.high_open &= known;
+    return wider;
 }
 
 /* Whether the name is an angle elsewhere, and \pi times it here; or the other way. */
@@ -219,10 +267,13 @@ static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *na
 {
     char key[104], tangent[140], cosine[140];
     int has_apart;
-    if (cagd_binding_of(c, name) != NULL || is_other_angle(c, name, of_pi)) {
-        cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
+    const cagd_binding *number = cagd_binding_of(c, name);
+    if (is_other_angle(c, name, of_pi) || (number != NULL && number->is_letter)) {
+        cagd_fail(c, t, FAULT_UNABLE,
+                  number != NULL ? "an angle at a place that is a number" : "an angle that is \\pi times itself, too");
         return *none();
     }
+    c->mixes_angles |= number != NULL;
     snprintf(key, sizeof key, "%s%s", of_pi ? "\\pi " : "", name);
     cagd_variable turned = *v;
     if (of_pi) {
@@ -230,11 +281,21 @@ static struct turn twice_phi(cagd_context *c, const cagd_tree *t, const char *na
         v = &turned;
     }
     cagd_way_around w = cagd_way_of_angle(c, v);
+    if (!w.known && !of_pi) { /* its bounds are those of a number */
+        c->mixes_angles = 1;
+        cagd_value_of_key(c, name, v);
+        turned = with_wider_bounds(c, v);
+        v = &turned;
+        w = cagd_way_of_angle(c, v);
+    }
     if (!key_of_turned(c, key, w.quarters, tangent, sizeof tangent) ||
         !key_of_cosine(c, key, w.quarters, cosine, sizeof cosine))
         return *none();
     c->angles++;
-    if (cagd_binding_of(c, cosine) != NULL) /* where there is no x */
+    cagd_binding *apart = cagd_binding_of(c, cosine);
+    if (apart != NULL) /* where there is no x */
+        apart->angle = cagd_text_of(name, (int)strlen(name)), apart->of_pi = of_pi;
+    if (apart != NULL)
         return turned_by_quarters((struct turn){cagd_value_int(-1), cagd_value_int(0)}, w.quarters);
     cagd_value x = cagd_value_of_key(c, tangent, NULL);
     cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, tangent) : NULL;
@@ -301,7 +362,9 @@ static void add_named(cagd_context *c, const cagd_tree *t, struct amount much, c
     char key[96];
     int is_letter;
     const struct cagd_angle *a = angle_of_letter(c, t, f, &is_letter);
-    const cagd_variable *v = cagd_declared(c->scope, t->head);
+    const cagd_variable any = {.head = t->head}, *v = cagd_declared(c->scope, t->head);
+    if (v == NULL && t->count == 0) /* a letter of definitions alone: any angle */
+        v = &any;
     if (a != NULL)
         add_argument(c, t, much, a, sum);
     else if (!is_letter && !much.of_pi && is_pi(c->scope, t))

@@ -5,7 +5,10 @@
  * An argument of a definition in which its letter stands in angles is one itself: what it is, is asked for where it is used.
  * Bounds of angles are multiples of pi; where x is no rational number there its bound is a root, and rational numbers beyond it are the bounds
  * that everything else knows: what holds between those, holds; what fails is looked at once more.  The derivative by the angle is
- * (1 + x^2) d/dx times phi's share in it. */
+ * (1 + x^2) d/dx times phi's share in it.
+ *
+ * An angle that is a number, too, as in t - \sin t, or whose bounds are numbers, is two variables, and \pi as a number is one: what holds for all
+ * values of them holds.  What does not is looked at with one value for both (enclosed.h). */
 #ifndef CAGD_ANGLE_H
 #define CAGD_ANGLE_H
 
@@ -13,6 +16,10 @@
 
 /* \sin a, \cos a. */
 cagd_value cagd_circular(cagd_context *c, const cagd_tree *t, const cagd_frame *f);
+
+/* Numbers between which \pi is: convergents of its continued fraction. */
+cagd_num_q cagd_below_pi(void);
+cagd_num_q cagd_above_pi(void);
 
 /* Whether halves of angles are in the statement, or in any definition: then x is the tangent of a quarter. */
 int cagd_has_half_angles(const cagd_scope *scope, const cagd_tree *statement);

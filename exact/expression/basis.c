@@ -170,6 +170,8 @@ static const char *read_basis(const cagd_scope *scope, const cagd_tree *function
                "\\le \\pi/2";
     if (region_faults != 0 || t == NULL)
         return reason_of(c);
+    if (c->mixes_angles)
+        return "an angle that is a number, too";
     if (t->is_root_end[0] || t->is_root_end[1])
         return "the ends of the interval of an angle are multiples of \\pi/2, or of \\pi";
     out->t = side_of(t);

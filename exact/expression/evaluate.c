@@ -185,9 +185,32 @@ static cagd_value of_letter(cagd_context *c, const cagd_tree *t, cagd_value valu
 {
     if (value.angle == NULL)
         return value;
-    if (!value.angle->tangent.rational)
+    if (!value.angle->tangent.rational && value.angle->moved.rational) {
+        c->asks_for_number = 1;
         return cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
-    return evaluate(c, value.angle->tree, value.angle->frame);
+    }
+    const cagd_binding *own = cagd_binding_of(c, t->head);
+    int k = own != NULL && own->value.angle == value.angle ? (int)(own - c->binding) : -1;
+    const char *key = k >= 0 ? own->key : NULL;
+    if (k >= 0) /* in it the letter is what it was outside */
+        c->binding[k].key = "";
+    cagd_value number = evaluate(c, value.angle->tree, value.angle->frame);
+    if (k >= 0)
+        c->binding[k].key = key;
+    return cagd_value_add(number, value.angle->moved);
+}
+
+/* \pi as a number: a variable between two numbers. */
+static cagd_value pi(cagd_context *c)
+{
+    cagd_value x = cagd_value_of_key(c, CAGD_PI, NULL);
+    cagd_binding *b = region_faults == 0 ? cagd_binding_of(c, CAGD_PI) : NULL;
+    c->mixes_angles = 1;
+    if (b != NULL && b->unknown && !b->has_low) {
+        b->has_low = b->has_high = b->low_open = b->high_open = b->hidden = b->is_number = 1;
+        b->low = cagd_below_pi(), b->high = cagd_above_pi();
+    }
+    return x;
 }
 
 /* A name that no definition fits, or that has none. */
@@ -203,10 +226,9 @@ static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
     if (b != NULL)
         return of_letter(c, t, b->value);
     for (int k = 0; k < c->count; k++)
-        if (c->binding[k].angle != NULL && strcmp(c->binding[k].angle, key) == 0)
-            return cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
-    if (strcmp(key, "\\pi") == 0 && cagd_declared(c->scope, t->head) == NULL)
-        return cagd_fail(c, t, FAULT_UNABLE, "\\pi is no rational number: it stands in angles, and in their bounds");
+        c->mixes_angles |= c->binding[k].angle != NULL && strcmp(c->binding[k].angle, key) == 0;
+    if (strcmp(key, CAGD_PI) == 0 && cagd_declared(c->scope, t->head) == NULL)
+        return pi(c);
     return unknown(c, t, key, cagd_declared_for(c->scope, t, key, index));
 }
 

@@ -9,6 +9,7 @@
 #include "exact/expression/scope.h"
 #include "exact/expression/value.h"
 
+#define CAGD_PI "\\pi"
 enum { CAGD_MOST_UNKNOWNS = 64, CAGD_MOST_LIMITS = 128, CAGD_MOST_MEMOS = 256 };
 
 /* A name with a value: "t", "\omega_3".  The value is a number, or a variable of the field; then the bounds are what is known of
@@ -27,11 +28,12 @@ typedef struct cagd_binding {
     int is_tied;  /* and that by an equality of higher degree (tie.h)                     */
     int has_root; /* it is that root, and its bounds are rational numbers near it (tie.h) */
     struct cagd_root root;
-    int is_number;     /* and no name of the page                                                    */
-    int hidden;        /* other names are functions of it that the page does not know (tie.h)            */
-    const char *angle; /* the name of the angle of whose part this is the tangent, or NULL             */
-    int of_pi;         /* the angle is \pi times that name                                            */
-    int turned;        /* and that of what it is behind so many quarters of the way around (angle.h)   */
+    int is_number; /* and no name of the page                                                    */
+    int is_letter; /* it has that value for a while, in place of its own                           */
+    int hidden;    /* other names are functions of it that the page does not know (tie.h)            */
+    const char *angle; /* the angle of whose part this is the tangent, or, where it has none, the cosine; or NULL */
+    int of_pi; /* the angle is \pi times that name                                            */
+    int turned; /* and that of what it is behind so many quarters of the way around (angle.h)   */
     /* Whether the lower, the upper end is this root, of which `low` and `high` are numbers outside: no other root of its polynomial is between
      * the bounds, and so the sign of its polynomial tells on which side of it the name is. */
     int is_root_end[2], root_end_open[2];
@@ -115,8 +117,10 @@ typedef struct cagd_context {
     int met_root;        /* a root was asked for that is no rational function                                      */
     int angles;          /* how often an angle was asked for (angle.h)                                              */
     int whole_angles;    /* no halves of angles come up                                                             */
+    int mixes_angles;    /* a name is an angle and a number, or \pi is one: not tied here (enclosed.h)              */
     int knows_angles;    /* whether definitions have angles: not known yet, no, yes                                 */
     int component;       /* of vectors this one is asked for, from 1; 0: none is                            */
+    int asks_for_number; /* an angle that is moved was asked for as a number, which it was not known as            */
     const char *trouble; /* why there is no value, in words; NULL while nothing went wrong                 */
     const cagd_tree *where; /* and at which part of the formula                                              */
     const char *split;      /* a condition changes where this name has the value split_at                    */
@@ -158,12 +162,12 @@ typedef struct cagd_frame {
     const struct cagd_frame *next;
 } cagd_frame;
 
-/* An argument that is an angle, of which only sines and cosines have values: a tree and what its letters stand for, and, where it is moved
- * by one more, the x of that (angle.h), otherwise 0. */
+/* An argument that is an angle, of which sines and cosines have values: a tree and what its letters stand for, and, where it is moved by one
+ * more, the x of that (angle.h), otherwise 0; and that one as a number, where it is asked for. */
 struct cagd_angle {
     const cagd_tree *tree;
     const cagd_frame *frame;
-    cagd_value tangent;
+    cagd_value tangent, moved;
 };
 
 enum { CAGD_USUAL_STEPS = 400000 };

@@ -79,7 +79,7 @@ static cagd_value with_letter(cagd_context *c, const cagd_tree *t, const char *l
     int known = c->count;
     if (known == CAGD_MOST_UNKNOWNS)
         return cagd_fail(c, t, FAULT_UNABLE, "too many variables");
-    c->binding[c->count++] = (cagd_binding){.key = letter, .value = inner.value};
+    c->binding[c->count++] = (cagd_binding){.key = letter, .value = inner.value, .is_letter = 1};
     cagd_value F = cagd_evaluate_in(c, t, &inner);
     if (known + 1 == c->count)
         c->count = known;
@@ -94,7 +94,7 @@ static cagd_value as_angle(const cagd_tree *t, const cagd_frame *f)
     struct cagd_angle *a = region_bytes(sizeof *a);
     cagd_value v = cagd_value_int(0);
     if (a != NULL)
-        *a = (struct cagd_angle){t, f, cagd_value_int(0)};
+        *a = (struct cagd_angle){t, f, cagd_value_int(0), cagd_value_int(0)};
     v.angle = a;
     return v;
 }
@@ -118,30 +118,54 @@ static cagd_value value_at(cagd_context *c, const cagd_tree *t, const cagd_tree 
     return cagd_defined_value(c, t, value, f);
 }
 
+/* The value where the angle is moved by another, of which x is the tangent; *y, which is 0 unless it is asked for, is that as a number. */
+static num_f moved_by_angle(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[],
+                            const struct cagd_angle *at, num_f x, cagd_value *y, const cagd_frame *f)
+{
+    cagd_value moved = cagd_value_int(0);
+    struct cagd_angle by = {at->tree, at->frame, {.f = x}, *y};
+    const char *trouble = c->trouble;
+    const cagd_tree *where = c->where;
+    int known = c->count;
+    c->asks_for_number = 0;
+    moved.angle = &by;
+    num_f g = cagd_in_field(value_at(c, t, body, value, moved, f));
+    if (!c->asks_for_number || !y->rational || region_faults != FAULT_UNABLE)
+        return g;
+    c->asks_for_number = 0, region_faults = 0, c->trouble = trouble, c->where = where; /* once more, with y */
+    *y = by.moved = (cagd_value){.f = fresh(c, cagd_value_int(0), 1)};
+    g = cagd_in_field(region_faults == 0 ? value_at(c, t, body, value, moved, f) : cagd_value_int(0));
+    forget(c, known);
+    return g;
+}
+
 /* The k-th derivative of the name t by its first argument, or of the body by the letter of t, an angle: it is moved by another, which
  * is 0 then. */
 cagd_value cagd_derivative_by_angle(cagd_context *c, const cagd_tree *t, const cagd_tree *body, cagd_value value[],
                                     long k, const struct cagd_angle *at, const cagd_frame *f)
 {
-    cagd_value zero = cagd_value_int(0), here = zero, moved = zero;
+    cagd_value zero = cagd_value_int(0), here = zero, y = zero;
     if (k < 0 || k > CAGD_MOST_POWER)
         return cagd_fail(c, t, FAULT_UNABLE, "the order of a derivative is a whole number, at least 0");
     int known = c->count, before = c->met_joint;
     c->met_joint = 0;
     num_f x = fresh(c, zero, 1);
-    struct cagd_angle by = {at->tree, at->frame, {.f = x}};
     if (!at->tangent.rational && region_faults == 0) /* a derivative within another */
         return cagd_fail(c, t, FAULT_UNABLE, "derivatives by angles within one another");
-    moved.angle = &by, here.angle = at;
-    num_f g = cagd_in_field(region_faults == 0 ? value_at(c, t, body, value, moved, f) : zero);
+    here.angle = at;
+    num_f g = region_faults == 0 ? moved_by_angle(c, t, body, value, at, x, &y, f) : from_int_f(0);
     forget(c, known);
     if (c->met_joint && region_faults == 0)
         return cagd_fail(c, t, FAULT_UNABLE, "a derivative by an angle at a joint");
     c->met_joint = before;
-    for (; k > 0 && region_faults == 0; k--)
-        g = cagd_by_angle_f(c, g, x);
+    for (; k > 0 && region_faults == 0; k--) {
+        num_f by_number = y.rational ? from_int_f(0) : derivative_f(g, y.f);
+        g = add_f(cagd_by_angle_f(c, g, x), by_number);
+    }
     if (region_faults == 0)
         g = substitute_f(g, x, from_int_f(0));
+    if (region_faults == 0 && !y.rational)
+        g = substitute_f(g, y.f, from_int_f(0));
     if (region_faults == 0 && body != NULL) /* where there is no value there is no derivative */
         cagd_evaluate_in(c, body, f);
     else if (region_faults == 0)
@@ -238,7 +262,7 @@ cagd_value cagd_derivative_value(cagd_context *c, const cagd_tree *t, const cagd
         return derivative_by_name(c, t, f);
     long order = cagd_order_of(c, t, t->at[1], f);
     if (region_faults == 0 && cagd_is_angle_in(c, t->at[0], t->head)) {
-        struct cagd_angle here = {&letter, f, cagd_value_int(0)};
+        struct cagd_angle here = {&letter, f, cagd_value_int(0), cagd_value_int(0)};
         return cagd_derivative_by_angle(c, &letter, t->at[0], NULL, order, &here, f);
     }
     cagd_value at = cagd_name_value(c, &letter, f);

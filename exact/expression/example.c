@@ -86,7 +86,7 @@ static int look_at(const cagd_context *c, const cagd_tree *t, int k, num_q value
         is = region_faults == 0 && a.rational && b.rational && cagd_compare_values(exact, a, t->relation[k], b) == 0;
         *left = a.q, *right = b.q;
     }
-    is = is == 1 && region_faults == 0;
+    is = is == 1 && region_faults == 0 && !exact->mixes_angles;
     region_faults &= FAULT_MEMORY | FAULT_CROWDED;
     return is_within ? is : -1;
 }
@@ -240,7 +240,7 @@ int cagd_find_example(const cagd_context *c, const cagd_tree *t, int k, num_q va
 {
     struct search s = {.c = c, .t = t, .k = k, .value = value, .left = left, .right = right};
     int most = 0;
-    s.list = cagd_region_array(CAGD_MOST_UNKNOWNS, 1, sizeof *s.list);
+    s.list = c->mixes_angles ? NULL : cagd_region_array(CAGD_MOST_UNKNOWNS, 1, sizeof *s.list);
     if (s.list == NULL)
         return 0;
     for (int m = 0; m < c->count; m++)

@@ -218,6 +218,8 @@ cagd_answer cagd_collected(cagd_run *r, cagd_context *c, cagd_relation relation,
     const cagd_binding *parameter = cagd_binding_of(c, r->parameter);
     const cagd_binding *other;
     r->out->comparisons++;
+    if (c->mixes_angles)
+        return cagd_note_undecided(r, c, "an angle that is a number, too, with :find:");
     if (into->count + 3 + c->divisors >= MOST_CONSTRAINTS)
         return cagd_note_undecided(r, c, "too many cases");
     num_f f = cagd_in_field(d);
@@ -272,6 +274,10 @@ static int read_literal(cagd_run *r, cagd_context *c, const cagd_tree *t, struct
     const cagd_binding *parameter = cagd_binding_of(c, r->parameter);
     if (region_faults != 0)
         return 0;
+    if (c->mixes_angles) {
+        cagd_note_undecided(r, c, "an angle that is a number, too, with :find:");
+        return 0;
+    }
     num_f f = cagd_in_field(less ? cagd_value_sub(b, a) : cagd_value_sub(a, b)), poles = cagd_denominator_f(f);
     out->one = constraint_of(relation, f);
     for (int i = 0; r->into->poles && i < c->divisors; i++)

@@ -27,6 +27,8 @@ typedef struct cagd_finding {
     /* The first case that fails.  Where one of its numbers is a root, the sides are not computed, and `order` is the sign of left -
      * right. */
     int has_example, given, has_root, order;
+    int is_enclosed; /* they were enclosed, and are near these (enclosed.h) */
+    double near_left, near_right;
     cagd_given example[CAGD_MOST_UNKNOWNS];
     cagd_num_q left, right;
     cagd_relation relation; /* the one that does not hold between left and right                       */

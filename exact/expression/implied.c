@@ -280,7 +280,7 @@ cagd_answer cagd_implied_relation(const cagd_context *c, const cagd_tree *t, int
     enum cagd_implication answer = cagd_implies(known->count, known->given, claim, names, x, until, &at);
     if (answer == CAGD_IMPLIED)
         return CAGD_HOLDS;
-    if (answer == CAGD_IMPLICATION_NOT_KNOWN)
+    if (answer == CAGD_IMPLICATION_NOT_KNOWN || c->mixes_angles)
         return CAGD_UNDECIDED;
     tell(c, &at, names, of, out);
     out->order = cagd_algebraic_sign(&at, cagd_algebraic_value(&at, p, x));

@@ -4,14 +4,7 @@
 #include "exact/expression/tie.h"
 #include "exact/words.h"
 
-enum { MOST_DIVISORS = 64, ROUNDS = 8 };
-
-/* The sides of a relation: n/m is left - right, and none of the divisors is 0 where they are defined. */
-struct sides {
-    num_f n, m, divisor[MOST_DIVISORS];
-    int divisors;
-    cagd_relation relation;
-};
+enum { ROUNDS = 8 };
 
 static cagd_side_of_box side_of(const cagd_binding *b)
 {
@@ -38,16 +31,16 @@ static int has_bounds_alone(const cagd_context *c, int *roots, int *root)
     return c->limits == 0 && c->missing == 0;
 }
 
-static int find_sides(const cagd_context *c, const cagd_tree *t, int k, struct sides *s)
+int cagd_find_sides(const cagd_context *c, const cagd_tree *t, int k, cagd_relation_sides *s)
 {
     cagd_context *again = region_bytes(sizeof *again);
     if (again == NULL)
         return 0;
     *again = *c;
-    again->divisor = s->divisor, again->most_divisors = MOST_DIVISORS, again->divisors = 0;
+    again->divisor = s->divisor, again->most_divisors = CAGD_MOST_DIVISORS_OF_SIDES, again->divisors = 0;
     cagd_value d = cagd_value_sub(cagd_evaluate(again, t->at[k]), cagd_evaluate(again, t->at[k + 1]));
     s->divisors = again->divisors, s->relation = t->relation[k];
-    if (region_faults != 0 || s->divisors == MOST_DIVISORS || again->count != c->count)
+    if (region_faults != 0 || s->divisors == CAGD_MOST_DIVISORS_OF_SIDES || again->count != c->count)
         return 0;
     num_f f = cagd_in_field(cagd_at_roots(c, d));
     s->n = cagd_numerator_f(f), s->m = cagd_denominator_f(f);
@@ -76,7 +69,8 @@ static int sign_at(poly p, struct cagd_root r)
 }
 
 /* Whether both sides are defined at the root, and the relation is false. */
-static int is_false_at(const cagd_context *c, const struct sides *s, struct cagd_root r, cagd_irrational_example *e)
+static int is_false_at(const cagd_context *c, const cagd_relation_sides *s, struct cagd_root r,
+                       cagd_irrational_example *e)
 {
     int below = sign_at(at_values(c, s->m, e->of, e->value), r);
     for (int i = 0; i < s->divisors; i++)
@@ -88,7 +82,7 @@ static int is_false_at(const cagd_context *c, const struct sides *s, struct cagd
 }
 
 /* At a root of the numerator, within the bounds of the name, that is no rational number. */
-static int at_zero(const cagd_context *c, const struct sides *s, cagd_irrational_example *e)
+static int at_zero(const cagd_context *c, const cagd_relation_sides *s, cagd_irrational_example *e)
 {
     num_f x = c->binding[e->of].value.f, p = s->n, factor[CAGD_MOST_ROOTS];
     int power[CAGD_MOST_ROOTS];
@@ -134,7 +128,7 @@ static int sign_within_bounds(const cagd_context *c, num_f p, const num_q value[
 }
 
 /* The same where there are several roots, and their bounds tell enough. */
-static int is_false_within_bounds(const cagd_context *c, const struct sides *s, cagd_irrational_example *e)
+static int is_false_within_bounds(const cagd_context *c, const cagd_relation_sides *s, cagd_irrational_example *e)
 {
     e->of = -1;
     e->order = sign_within_bounds(c, div_f(s->n, s->m), e->value);
@@ -174,9 +168,10 @@ const struct cagd_root *cagd_told_root(struct cagd_root r)
 
 int cagd_find_irrational_example(const cagd_context *c, const cagd_tree *t, int k, cagd_irrational_example *out)
 {
-    struct sides *s = region_bytes(sizeof *s);
+    cagd_relation_sides *s = region_bytes(sizeof *s);
     int root, roots;
-    if (s == NULL || k < 0 || region_faults != 0 || !has_bounds_alone(c, &roots, &root) || !find_sides(c, t, k, s)) {
+    if (s == NULL || k < 0 || c->mixes_angles || region_faults != 0 || !has_bounds_alone(c, &roots, &root) ||
+        !cagd_find_sides(c, t, k, s)) {
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
         return 0;
     }

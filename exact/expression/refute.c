@@ -1,5 +1,6 @@
 #include "exact/expression/refute.h"
 
+#include "exact/expression/enclosed.h"
 #include "exact/expression/example.h"
 #include "exact/expression/irrational.h"
 #include "exact/words.h"
@@ -60,6 +61,21 @@ static int refuted_at_root(cagd_finding *f, const cagd_context *c, const cagd_tr
     return 1;
 }
 
+/* Refuted by numbers that are angles, too. */
+static int refuted_by_enclosure(cagd_finding *f, const cagd_context *c, const cagd_tree *t, int k)
+{
+    cagd_enclosed_example *e = region_bytes(sizeof *e);
+    cagd_context *told = region_bytes(sizeof *told);
+    if (e == NULL || told == NULL || !cagd_find_enclosed_example(c, t, k, e))
+        return 0;
+    *told = *c;
+    for (int m = 0; m < told->count; m++)
+        told->binding[m].hidden |= e->is_enclosed[m];
+    f->has_root = f->is_enclosed = 1, f->order = e->order, f->near_left = e->left, f->near_right = e->right;
+    cagd_give_all(f, told, e->value, NULL);
+    return 1;
+}
+
 /* a relation b is refuted: by small numbers that are looked for, or by those that are given. */
 cagd_answer cagd_refuted_at(cagd_run *r, cagd_context *c, const cagd_tree *t, int k, const num_q at[])
 {
@@ -74,7 +90,7 @@ cagd_answer cagd_refuted_at(cagd_run *r, cagd_context *c, const cagd_tree *t, in
         memcpy(value, at, sizeof value);
         found = cagd_is_example(c, t, k, value, &f->left, &f->right);
     }
-    if (!found && refuted_at_root(f, c, t, k))
+    if (!found && (refuted_at_root(f, c, t, k) || refuted_by_enclosure(f, c, t, k)))
         return CAGD_FAILS;
     if (!found)
         return cagd_note_undecided(r, c, "no numbers were found for which it is false, though it is no identity");

@@ -385,8 +385,8 @@ g(s,t) = s^2 t^3
             ("f(q+s) = f(q) f(s) + \\sin q \\sin s", "fails"), ("f(-s) = f(s)", "holds"), ("f(s + \\pi) = -f(s)", "holds"), ("f(s + \\frac{2\\pi}{3}) + f(s + \\frac{4\\pi}{3}) + f(s) = 0", "holds"),
             ("f(\\frac{\\pi}{12}) = \\frac{\\sqrt 6 + \\sqrt 2}{4}", "holds"), ("f(\\frac{\\pi}{12}) = \\frac{\\sqrt 6 - \\sqrt 2}{4}", "fails"), ("f(\\frac{\\pi}{5}) = \\frac{1 + \\sqrt 5}{4}", "undecided"),
             ("\\sum_{j=0}^{2} f(s + \\frac{2 j \\pi}{3}) = 0", "holds"), ("\\sum_{j=0}^{2} f(s + \\frac{j \\pi}{3}) = 0", "fails"), ("f(\\frac12 2 s) = \\cos s", "holds"), ("f(2 q s) = \\cos(2 q s)", "undecided"),
-            ("r(s)^2 = \\frac{1 + \\cos s}{2}", "holds"), ("r(2s) = f(s)", "holds"), ("r(s) = \\sqrt{\\frac{1 + \\cos s}{2}}", "fails"), ("m(0) = 0", "holds"), ("m(s) = s \\cos s", "undecided"),
-            ("u(0) = 1", "undecided"), ("u(s) = 1", "holds"), ("C(q) \\cdot C(s) = \\cos(q - s)", "holds"), ("|C(q) - C(s)|^2 = 4 \\sin^2 \\frac{q-s}{2}", "holds"), ("\\pi > 3", "undecided"))])
+            ("r(s)^2 = \\frac{1 + \\cos s}{2}", "holds"), ("r(2s) = f(s)", "holds"), ("r(s) = \\sqrt{\\frac{1 + \\cos s}{2}}", "fails"), ("m(0) = 0", "holds"), ("m(s) = s \\cos s", "holds"), ("m(s) = s \\sin s", "fails"), ("m'(s) = \\cos s - s \\sin s", "holds"), ("m''(s) = -2 \\sin s", "fails"),
+            ("u(0) = 1", "undecided"), ("u(s) = 1", "holds"), ("C(q) \\cdot C(s) = \\cos(q - s)", "holds"), ("|C(q) - C(s)|^2 = 4 \\sin^2 \\frac{q-s}{2}", "holds"), ("\\pi > 3", "holds"), ("\\pi = \\frac{22}{7}", "fails"))])
         for k in range(25):  # multiples of pi/12 beside their sines in floating point
             value = verdict(f"\\cos \\frac{{{k} \\pi}}{{12}} > {math.cos(math.pi * k / 12):.9f} - \\frac{{1}}{{10^6}}", "n = 1")["verdict"], verdict(f"\\sin \\frac{{{k} \\pi}}{{12}} < {math.sin(math.pi * k / 12):.9f} + \\frac{{1}}{{10^6}}", "n = 1")["verdict"]
             self.assertEqual(value, ("holds", "holds"), k)
@@ -429,6 +429,34 @@ g(s,t) = s^2 t^3
             ("\\cos \\frac{s}{2} \\ge 0", "-\\pi \\le s \\le \\pi", "holds"), ("\\cos \\frac{s}{2} > 0", "-\\pi < s \\le \\pi", "fails"), ("\\sqrt{1 - \\sin^2 s} = \\cos s", "0 \\le s \\le \\frac{\\pi}{2}", "holds"),
             ("\\sqrt{1 - \\sin^2 s} = \\cos s", "0 \\le s \\le \\pi", "fails")))
 
+    def test_angles_that_are_numbers(self):
+        r"""A letter that is a number and stands in sines, and \pi as a number: what holds does so for t and tan(t/2) as two names; what fails is false in floating point, too."""
+        let = r"""a, x, y \in \mathbb{R}
+0 < a < \pi
+F(t) = t - \sin t
+G(t) = t \cos t
+P(t) = \frac{F(t)}{F(a)}
+Q(t) = \frac{F(a - t)}{F(a)}
+R(t) = \sin(\pi t) - t
+"""
+        false_at = {r"2 \sin t \le t": lambda t: 2 * math.sin(t) > t, r"\cos t \le 1 - \frac{t^2}{2}": lambda t: math.cos(t) > 1 - t * t / 2, r"\sin t \le \frac34": lambda t: math.sin(t) > 0.75,
+                    r"R(t) \ge 0": lambda t: math.sin(math.pi * t) < t, r"F'(t) = 1 + \cos t": lambda t: abs(2 * math.cos(t)) > 1e-9}
+        for printed, ranges, expected in (
+                (r"F'(t) = 1 - \cos t", "", "holds"), (r"F'(t) = 1 + \cos t", "", "fails"), (r"F''(t) = \sin t", "", "holds"), (r"G''(t) = -2 \sin t - t \cos t", "", "holds"), (r"G''(t) = -\sin t - t \cos t", "", "fails"),
+                (r"\frac{d^2}{dx^2}(x \sin x) = 2 \cos x - x \sin x", "", "holds"), (r"\frac{d^2}{dx^2}(x \sin x) = 2 \cos x + x \sin x", "", "fails"), (r"F(2x) = 2x - 2 \sin x \cos x", "", "holds"), (r"F(x + y) = F(x) + F(y)", "", "fails"),
+                (r"F(\pi) = \pi", "", "holds"), (r"F(\pi) = 3", "", "fails"), (r"F(\frac{\pi}{2}) + 1 = \frac{\pi}{2}", "", "holds"), (r"\pi = \frac{355}{113}", "", "fails"), (r"\pi < \frac{355}{113}", "", "holds"), (r"\pi^2 \ge 10", "", "fails"),
+                (r"P(0) = 0, \quad P(a) = 1, \quad Q(t) = P(a - t)", "", "holds"), (r"P(t) + Q(t) = 1", "", "fails"), (r"P'(t) = \frac{1 - \cos t}{a - \sin a}", "", "holds"),
+                (r"\sin t < t", r"0 \le t \le 1", "fails"), (r"2 \sin t \le t", r"0 \le t \le \pi", "fails"), (r"\cos t \le 1 - \frac{t^2}{2}", "", "fails"), (r"\cos t \ge -t^2", r"\frac{\pi}{2} \le t \le \pi", "holds"),
+                (r"\sin t \ge 0", r"0 \le t \le 1", "holds"), (r"\sin t \ge 0", r"0 \le t \le a", "undecided"), (r"\sin t \ge 0", r"0 \le t \le 4", "fails"), (r"\sin t \le \frac34", r"0 \le t \le 1", "fails"),
+                (r"\sin t = 1 \text{ if } t = \frac{\pi}{2}", "", "undecided"), (r"t \sin t = 0 \Rightarrow t = 0", "", "undecided"), (r"\sin t \le t", r"0 \le t \le 1", "undecided"),
+                (r"R'(t) = \pi \cos(\pi t) - 1", "", "undecided"), (r"R(t) \ge 0", r"0 \le t \le 1", "fails"), (r"\sin t + \sin(\pi t) = 0", "", "undecided")):
+            with self.subTest(printed=printed, ranges=ranges):
+                f = ":for: " + ranges + "\n" if ranges else ""
+                r = json.loads(check(f":::{{let}}\n{let}:::\n:::{{statement}} s\n:printed: {printed}\n{f}:::\n", "--json").stdout)["statements"][0]
+                self.assertEqual(r["verdict"], expected, r)
+                if printed in false_at:
+                    self.assertTrue(false_at[printed](float(fractions.Fraction(r["counterexample"]["values"][-1]["value"]))))
+
     def test_bounds_of_angles_whose_tangents_are_roots(self):
         """Ends that belong to the range and ends that do not; ranges through half a turn; amounts, of which no side is linear."""
         third, sixths, behind, fifths = "0 \\le s \\le \\frac{\\pi}{3}", "\\frac{\\pi}{6} \\le s \\le \\frac{5\\pi}{6}", "\\frac{\\pi}{2} \\le s \\le \\frac{3\\pi}{2}", "\\frac{\\pi}{5} \\le s \\le \\frac{2\\pi}{5}"
@@ -438,7 +466,7 @@ g(s,t) = s^2 t^3
             ("\\cos s \\le 0", behind, "holds"), ("\\cos s > -1", behind, "fails"), ("\\sin s \\ge 0", behind, "fails"), ("\\sin(s + \\pi) = -\\sin s", behind, "holds"), ("\\sin(s + \\frac{\\pi}{2}) = -\\cos s", behind, "fails"),
             ("\\frac{d}{ds} \\sin s = \\cos s", behind, "holds"), ("4 \\cos^2 s + 2 \\cos s \\ge 1", fifths, "holds"), ("4 \\cos^2 s - 2 \\cos s \\ge 1", fifths, "fails"),
             ("|\\sin s| \\le \\frac{\\sqrt 3}{2}", "\\frac{2\\pi}{3} \\le s \\le \\frac{4\\pi}{3}", "holds"), ("|\\sin s| < \\frac{\\sqrt 3}{2}", "\\frac{2\\pi}{3} \\le s \\le \\frac{4\\pi}{3}", "fails"), ("|\\sin s| < \\frac{\\sqrt 3}{2}", "\\frac{2\\pi}{3} < s < \\frac{4\\pi}{3}", "holds"),
-            ("|\\sin s| < \\frac{\\sqrt 3}{2}", "\\frac{2\\pi}{3} < s \\le \\frac{4\\pi}{3}", "fails"), ("m(s) \\le 1", behind, "undecided"),
+            ("|\\sin s| < \\frac{\\sqrt 3}{2}", "\\frac{2\\pi}{3} < s \\le \\frac{4\\pi}{3}", "fails"), ("m(s) \\le 1", behind, "holds"), ("m(s) \\le -1", behind, "fails"),
             ("|\\sin 3s| \\le 3 |\\sin s|", "0 \\le s \\le 2\\pi", "holds"), ("|\\sin 3s| \\le 3 |\\sin s|", "-\\pi \\le s \\le \\pi", "holds"), ("|\\sin 3s| \\le 2 |\\sin s|", "0 \\le s \\le 2\\pi", "fails")))
         find = Ranges().found
         for printed, ranges, values in (("\\cos y \\ge x", "0 \\le y \\le \\frac{\\pi}{3}", "x ≤ 1/2"), ("x \\sin y \\le 1", "\\frac{\\pi}{6} \\le y \\le \\frac{5\\pi}{6}", "x ≤ 1"), ("\\sin y < x", "0 < y < \\frac{\\pi}{4}", "x ≥ 0.707106…"),
@@ -787,7 +815,7 @@ g_{i,n} = i
                 (r"q_0(1/2) = (1 - \frac{\sqrt 2}{2})(1 - m\frac{\sqrt 2}{2})", "n = 1", "holds"), (r"h(1-t) = \cos\frac{\pi t}{2}", "n = 1", "holds"), (r"h(1-t) = \sin\frac{\pi t}{2}", "n = 1", "fails"),
                 (r"\sin(\pi t) \ge 0", "n = 1", "holds"), (r"\cos(\pi t) \ge 0", "n = 1", "fails"), (r"\sin(\pi t) = 2 h(t) \cos(\frac{\pi}{2} t)", "n = 1", "holds"),
                 (r"\cos\frac{\pi t}{2} \ge \frac{\sqrt 2}{2}", r"0 \le t \le 1/2", "holds"), (r"\cos\frac{\pi t}{2} \ge \frac{\sqrt 2}{2}", r"0 \le t \le 2/3", "fails"),
-                (r"\sin(\pi x + \pi) = -\sin(\pi x)", "n = 1", "holds"), (r"\sin(\pi t) \ge t", "n = 1", "undecided"), (r"\sin(\pi t) \ge \sin t", "n = 1", "undecided"), (r"h'(0) = 1", "n = 1", "undecided"),
+                (r"\sin(\pi x + \pi) = -\sin(\pi x)", "n = 1", "holds"), (r"\sin(\pi t) \ge t", "n = 1", "fails"), (r"\sin(\pi t) \ge \sin t", "n = 1", "undecided"), (r"h'(0) = 1", "n = 1", "undecided"),
                 (r"\sin\frac12 x = \sin\frac x2", "n = 1", "holds")):
             with self.subTest(printed=printed, ranges=ranges):
                 self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
