@@ -189,6 +189,25 @@ static cagd_value of_letter(cagd_context *c, const cagd_tree *t, cagd_value valu
     return evaluate(c, value.angle->tree, value.angle->frame);
 }
 
+/* Whether the declaration says anything of the name with these indices; where that depends on names without values there is none. */
+static int is_for_indices(void *data, const cagd_variable *v, const long index[])
+{
+    cagd_context *c = data;
+    frame room[2 * CAGD_MOST_INDICES];
+    const frame *f = NULL;
+    if (v->when == NULL || v->left == NULL)
+        return 1;
+    for (int k = 0; k < v->left->lower + v->left->upper; k++)
+        if (v->left->at[k]->kind == CAGD_NAME) {
+            room[k] = (frame){v->left->at[k]->head, cagd_value_int(index[k]), f};
+            f = &room[k];
+        }
+    int is = truth(c, v->when, f);
+    if (is < 0 && region_faults == 0)
+        cagd_fail(c, v->left, FAULT_UNABLE, "of which indices bounds are depends on variables");
+    return is > 0;
+}
+
 /* A name that no definition fits, or that has none. */
 static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
 {
@@ -206,7 +225,8 @@ static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
             return cagd_fail(c, t, FAULT_UNABLE, "an angle that is a number, too");
     if (strcmp(key, "\\pi") == 0 && cagd_declared(c->scope, t->head) == NULL)
         return cagd_fail(c, t, FAULT_UNABLE, "\\pi is no rational number: it stands in angles, and in their bounds");
-    return unknown(c, t, key, cagd_declared_for(c->scope, t, key, index));
+    const cagd_variable *declared = cagd_declared_for(c->scope, t, key, index, is_for_indices, c);
+    return region_faults == 0 ? unknown(c, t, key, declared) : cagd_value_int(0);
 }
 
 /* ---- definitions --------------------------------------------------------------------------------------- */
