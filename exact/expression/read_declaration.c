@@ -195,6 +195,18 @@ static int has_index_of_its_own(const cagd_tree *left)
     return 0;
 }
 
+/* f_i(t) = ..., \quad 0 \le i \le 1: i, by its letter, is a whole number there, too, where the index is not. */
+static const cagd_tree *with_whole_indices(cagd_reader *r, const cagd_tree *left, const cagd_tree *when)
+{
+    const cagd_tree *list[2 * CAGD_MOST_INDICES + 1] = {when};
+    int count = 1;
+    for (int k = 0; k < left->lower + left->upper; k++)
+        if (left->at[k]->kind == CAGD_NAME && cagd_is_usual_index(left->at[k]->head) &&
+            cagd_tree_has(when, left->at[k]->head) && (list[count++] = cagd_is_whole(r, left->at[k])) == NULL)
+            return NULL;
+    return count == 1 ? when : cagd_new_of(r, CAGD_ALL, when->from, count, list);
+}
+
 /* The right side of a definition, in which the arguments of the left side are known, and what stands behind it; `given`: NULL, or a
  * condition of the left side. */
 static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, const cagd_tree *given)
@@ -249,6 +261,8 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, 
             r->defines = NULL;
         }
     }
+    if (read && d->when != NULL)
+        read = (d->when = with_whole_indices(r, left, d->when)) != NULL;
     if (read && given != NULL)
         d->when =
             d->when == NULL ? given : cagd_new_of(r, CAGD_ALL, left->from, 2, (const cagd_tree *[]){given, d->when});
@@ -618,6 +632,65 @@ static int declare_one(cagd_scope *scope, const cagd_tree *name, cagd_variable b
     return one.head != NULL && cagd_declare(scope, one);
 }
 
+/* \omega_n = 1, a_n \ge 0: where nothing is said of n it can be one of them or all; so of a_n = 2^n where n is a range.  `value`: NULL for bounds. */
+static int refuse_degree(cagd_reader *r, const cagd_scope *scope, const cagd_tree *name, const cagd_tree *value)
+{
+    for (int k = 0; k < name->lower + name->upper; k++) {
+        const cagd_tree *t = name->at[k];
+        if (t->kind != CAGD_NAME || t->count > 0 || !is_called_as_last(t->head) || cagd_has_value(scope, t->head) ||
+            cagd_is_label(scope, t->head))
+            continue;
+        int is_range = is_last_index(scope, t->head), has_letter = value != NULL && cagd_tree_has(value, t->head);
+        if (is_range != has_letter)
+            continue;
+        return cagd_refuse_tree(
+                   r, name, "is it said of all %s, or of that with the index %s alone? write %s_i for all of them%s%s",
+                   cagd_spelled(name->head), t->head, cagd_text_of(name->head, (int)strcspn(name->head, "_")),
+                   is_range ? ", or its value for each number" : ", or first the range of ",
+                   is_range ? "" : t->head) == NULL;
+    }
+    return 0;
+}
+
+/* Whether the name is all of those that are called so, and no certain one, as \omega_3, \omega_{i+1}, or \omega_n where n = 1, 2, 3. */
+static int is_each(const cagd_scope *scope, const cagd_tree *name)
+{
+    for (int k = 0; k < name->count; k++) {
+        const cagd_tree *t = name->at[k];
+        const cagd_definition *d = t->kind == CAGD_NAME ? cagd_defined(scope, t->head) : NULL;
+        if (t->kind != CAGD_NAME || t->count > 0 || (d != NULL && d->left->count == 0) ||
+            is_last_index(scope, t->head) || cagd_same_index(name, k) >= 0)
+            return 0;
+        for (const cagd_variable *v = scope->variables; v != NULL; v = v->next)
+            if (v->whole && v->high != NULL && strcmp(v->head, t->head) != 0 && cagd_tree_has(v->high, t->head) &&
+                cagd_declared(scope, t->head) != NULL)
+                return 0;
+    }
+    return 1;
+}
+
+/* a_{ii} \ge 0 is said of some. */
+static int refuse_equal_indices(cagd_reader *r, const cagd_tree *name)
+{
+    for (int k = 0; k < name->lower + name->upper; k++)
+        if (name->at[k]->kind == CAGD_NAME && cagd_same_index(name, k) >= 0)
+            return cagd_refuse_tree(r, name, "bounds where two indices are the same: write those of each alone") ==
+                   NULL;
+    return 0;
+}
+
+/* low <= a_n <= high, one of them: supposed. */
+static int suppose_between(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, const cagd_variable *v)
+{
+    const cagd_relation up[2] = {v->low_open ? CAGD_LESS : CAGD_LESS_OR_EQUAL,
+                                 v->high_open ? CAGD_LESS : CAGD_LESS_OR_EQUAL};
+    const cagd_tree *list[3] = {v->low, name, v->high};
+    if (cagd_declared(scope, name->head) == NULL && !declare(r, scope, name, (cagd_variable){0}))
+        return 0;
+    const cagd_tree *t = cagd_relate(r, name->from, v->high != NULL ? 3 : 2, list, up);
+    return t != NULL && cagd_suppose(scope, t);
+}
+
 /* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma.  A number that has bounds by
  * this list, which began with the scope `began`, keeps them. */
 static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, cagd_reading_error *listed)
@@ -656,6 +729,14 @@ static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, 
         cagd_variable w = v;
         if (v.low != NULL && !v.whole && is_one_of_many(name[k])) {
             if ((before == NULL && !declare(r, scope, name[k], (cagd_variable){0})) || !declare_one(scope, name[k], v))
+                return 0;
+            continue;
+        }
+        if (v.low != NULL && !v.whole && name[k]->count > 0 &&
+            (refuse_degree(r, scope, name[k], NULL) || refuse_equal_indices(r, name[k])))
+            return 0;
+        if (v.low != NULL && !v.whole && name[k]->count > 0 && !is_each(scope, name[k])) {
+            if (!suppose_between(r, scope, name[k], &v))
                 return 0;
             continue;
         }
@@ -759,26 +840,6 @@ static int suppose_for_every(cagd_reader *r, cagd_scope *scope, const cagd_tree 
     if (every != NULL)
         every->head = letter->head, every->at[0] = t, every->to = t->to;
     return t != NULL && (letter == NULL || every != NULL) && cagd_suppose(scope, letter != NULL ? every : t);
-}
-
-/* \omega_n = 1, a_n \ge 0: where nothing is said of n it can be one of them or all; so of a_n = 2^n where n is a range.  `value`: NULL for bounds. */
-static int refuse_degree(cagd_reader *r, const cagd_scope *scope, const cagd_tree *name, const cagd_tree *value)
-{
-    for (int k = 0; k < name->lower + name->upper; k++) {
-        const cagd_tree *t = name->at[k];
-        if (t->kind != CAGD_NAME || t->count > 0 || !is_called_as_last(t->head) || cagd_has_value(scope, t->head) ||
-            cagd_is_label(scope, t->head))
-            continue;
-        int is_range = is_last_index(scope, t->head), has_letter = value != NULL && cagd_tree_has(value, t->head);
-        if (is_range != has_letter)
-            continue;
-        return cagd_refuse_tree(
-                   r, name, "is it said of all %s, or of that with the index %s alone? write %s_i for all of them%s%s",
-                   cagd_spelled(name->head), t->head, cagd_text_of(name->head, (int)strcspn(name->head, "_")),
-                   is_range ? ", or its value for each number" : ", or first the range of ",
-                   is_range ? "" : t->head) == NULL;
-    }
-    return 0;
 }
 
 /* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
@@ -1049,23 +1110,6 @@ static const cagd_tree *name_ahead(cagd_reader *r)
     return found;
 }
 
-/* Whether the name is all of those that are called so, and no certain one, as \omega_3, \omega_{i+1}, or \omega_n where n = 1, 2, 3. */
-static int is_each(const cagd_scope *scope, const cagd_tree *name)
-{
-    for (int k = 0; k < name->count; k++) {
-        const cagd_tree *t = name->at[k];
-        const cagd_definition *d = t->kind == CAGD_NAME ? cagd_defined(scope, t->head) : NULL;
-        if (t->kind != CAGD_NAME || t->count > 0 || (d != NULL && d->left->count == 0) ||
-            is_last_index(scope, t->head) || cagd_same_index(name, k) >= 0)
-            return 0;
-        for (const cagd_variable *v = scope->variables; v != NULL; v = v->next)
-            if (v->whole && v->high != NULL && strcmp(v->head, t->head) != 0 && cagd_tree_has(v->high, t->head) &&
-                cagd_declared(scope, t->head) != NULL)
-                return 0;
-    }
-    return 1;
-}
-
 /* Bounds of \lambda_i may have n, the range of which is told later, behind them or for a statement: a letter that last indices are called, or that
  * has a range ahead. */
 static void bind_degrees(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDREN])
@@ -1124,6 +1168,8 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         up &= k + 1 == count || is_less(relation[k]);
         down &= k + 1 == count || is_greater(relation[k]);
     }
+    if (alone == 1 && refuse_equal_indices(r, p[which].tree))
+        return 0;
     if (!some_index && (alone == 1 || (alone == 0 && whole == 1)) && count <= 3 && (up || down) &&
         (count == 2 || which == 1) && (is_one_of_many(p[which].tree) || is_each(scope, p[which].tree))) {
         if (refuse_degree(r, scope, p[which].tree, NULL))

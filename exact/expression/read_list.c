@@ -300,6 +300,8 @@ static const cagd_tree *is_whole(cagd_reader *r, const cagd_tree *name, const ca
     return floor != NULL ? cagd_relate(r, name->from, 2, (const cagd_tree *[]){floor, t}, equal) : NULL;
 }
 
+const cagd_tree *cagd_is_whole(cagd_reader *r, const cagd_tree *name) { return is_whole(r, name, name); }
+
 const cagd_tree *cagd_is_in_list(cagd_reader *r, const cagd_tree *name, const cagd_list *list)
 {
     static const cagd_relation equal[] = {CAGD_EQUAL}, from_low[] = {CAGD_GREATER_OR_EQUAL},

@@ -84,7 +84,9 @@ static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tr
         if (by[k].order == NULL)
             by[k].order = cagd_tree_number(1, from, from);
         long one;
-        if (by[k].order == NULL || !cagd_is_whole_in_long(by[k].order, &one) || one < 0 || one > MOST_ORDER)
+        if (by[k].order == NULL || by[k].order->kind != CAGD_NUMBER)
+            return cagd_refuse_token(r, "the orders of a mixed derivative are numbers");
+        if (!cagd_is_whole_in_long(by[k].order, &one) || one < 0 || one > MOST_ORDER)
             return cagd_refuse_token(r, "the orders of a mixed derivative are whole numbers up to %d", MOST_ORDER);
         all += (int)one;
     }

@@ -114,7 +114,8 @@ static int refuse_two(cagd_reader *r, const cagd_variable *v)
 /* Bounds for some indices, and earlier ones for others: they do not go together where an index can be of both. */
 static int fits_earlier(const struct said *s, const cagd_variable *v, int is_in_list)
 {
-    for (const cagd_variable *w = v->next; w != NULL; w = w->next, is_in_list &= w != s->before->variables) {
+    for (const cagd_variable *w = v->next; w != NULL; w = w->next) {
+        is_in_list &= w != s->before->variables;
         if (!is_of_all(w) || strcmp(w->left->head, v->left->head) != 0 || !has_bounds(w))
             continue;
         if (is_one(v)) {

@@ -117,6 +117,8 @@ cagd_tree *cagd_refuse_words(cagd_reader *r, const char *words);
 /* Behind a list of ranges, before which the scope was `before`: bounds and values are those of the indices of which the list speaks.  0 and the error
  * where bounds for some indices do not go together with others. */
 int cagd_restrict_to_ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before);
+/* The condition that the name is a whole number. */
+const cagd_tree *cagd_is_whole(cagd_reader *r, const cagd_tree *name);
 /* Whether it is a whole number that fits. */
 int cagd_is_whole_in_long(const cagd_tree *t, long *value);
 /* That the name is one of them, as a condition; an error where that depends on what the letters in the ends are. */

@@ -252,12 +252,13 @@ static int has_real(const cagd_scope *scope, const cagd_tree *t)
 enum kind_of_number { IS_REAL, IS_WHOLE, IS_EITHER };
 
 /* What a variable with these bounds is, which is an index of a function.  Between 0 < q < 1 and 0 < q <= 1 there are not two whole numbers; 1/2 is no
- * end of an index.  0 <= i <= 1 are two by the letter; of 0 <= alpha <= 1, and of 0 <= s <= 2, it is not known. */
+ * end of an index.  0 <= i <= 1 are two by the letter; of 0 <= alpha <= 1, and of 0 <= s <= 2 or 0 < s < 3, it is not known. */
 static enum kind_of_number kind_of(const cagd_scope *scope, const cagd_variable *v)
 {
+    static const char *const often_whole[] = {"p", "s", "d", "e", "P", "Q", "S", "D", NULL};
     cagd_num_q low, high;
     int has_low = is_number(v->low, &low), has_high = v->high != NULL && is_number(v->high, &high);
-    int is_usual = cagd_is_usual_index(v->head), is_strict = v->low_open || v->high_open;
+    int is_usual = cagd_is_usual_index(v->head);
     if ((has_low && !cagd_is_whole_q(low)) || (has_high && !cagd_is_whole_q(high)))
         return IS_REAL;
     if (has_low && has_high && cagd_sign_q(cagd_sub_q(high, low)) > 0) {
@@ -269,7 +270,7 @@ static enum kind_of_number kind_of(const cagd_scope *scope, const cagd_variable 
         return IS_WHOLE;
     if ((!has_low && has_real(scope, v->low)) || (v->high != NULL && !has_high && has_real(scope, v->high)))
         return IS_REAL;
-    return is_strict ? IS_REAL : IS_EITHER;
+    return (v->low_open || v->high_open) && !is_one_of(v->head, often_whole) ? IS_REAL : IS_EITHER;
 }
 
 static int become_whole(cagd_scope *scope, const cagd_variable *v)
