@@ -129,6 +129,7 @@ static const cagd_tree *condition(cagd_reader *r)
 }
 
 static int definition(cagd_reader *r, cagd_scope *scope);
+static int refuse_degree(cagd_reader *r, const cagd_scope *scope, const cagd_tree *name, const cagd_tree *value);
 
 /* Whether all names of t are letters that are indices of the left side by themselves. */
 static int is_of_indices(const cagd_tree *left, const cagd_tree *t)
@@ -282,10 +283,17 @@ static int definition(cagd_reader *r, cagd_scope *scope)
         return cagd_refuse_tree(r, left, "the left side of a definition is a name with its indices and arguments") !=
                NULL;
     const cagd_tree *given = NULL;
-    left = with_given_indices(r, NULL, left, &given);
+    int is_value = left->arguments == 0 && cagd_declared(scope, left->head) != NULL; /* of a variable */
+    const cagd_tree *as_written = left;
+    left = with_given_indices(r, is_value ? scope : NULL, left, &given);
     if (left == NULL || !is_left_side(r, left, 1) || (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
         return 0;
     if (!right_side(r, scope, left, given))
+        return 0;
+    const cagd_definition *last = cagd_defined(scope, left->head);
+    while (last != NULL && last->next != NULL)
+        last = last->next;
+    if (is_value && last != NULL && last->when == given && refuse_degree(r, scope, as_written, last->body))
         return 0;
     return !next_definition(r) || definition(r, scope);
 }
