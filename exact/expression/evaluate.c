@@ -1092,10 +1092,24 @@ static cagd_value extremum(cagd_context *c, const cagd_tree *t, const frame *f, 
     return best;
 }
 
+/* Whether it is a sum of whole multiples of variables that stand for whole numbers, and of a whole number. */
+static int is_whole_form(const cagd_context *c, num_f rest)
+{
+    num_q number;
+    for (int k = 0; k < c->wholes; k++) {
+        if (!is_constant_f(derivative_f(rest, c->whole[k]), &number) || !cagd_is_whole_q(number))
+            return 0;
+        rest = sub_f(rest, mul_f(cagd_from_rational_f(number), c->whole[k]));
+    }
+    return c->wholes > 0 && is_constant_f(rest, &number) && cagd_is_whole_q(number);
+}
+
 static cagd_value rounded(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     cagd_value a = evaluate(c, t->at[0], f);
     if (region_faults != 0)
+        return a;
+    if (!a.rational && is_whole_form(c, a.f))
         return a;
     if (!a.rational)
         return cagd_fail(c, t, FAULT_UNABLE, "a rounded number that depends on variables");
