@@ -1253,6 +1253,23 @@ static int suppose_parity(cagd_reader *r, cagd_scope *scope, struct parity p)
     return cagd_suppose(scope, t);
 }
 
+/* x \ge 0 \text{ if } y \ge 0: bounds that hold under a condition are none; behind a range, n = 1, 2 \text{ if } y \ge 0, all of it is supposed. */
+static int refuse_condition_of_bounds(cagd_reader *r, const cagd_token *item)
+{
+    static const char *const words[] = {"if", "when", "provided", "as long as"};
+    const cagd_token *here = r->token;
+    const char *said = item != NULL && !cagd_begins_range(item) ? cagd_read_words(r) : NULL;
+    r->token = here;
+    for (size_t k = 0; said != NULL && k < sizeof words / sizeof *words; k++)
+        if (strncmp(said + strspn(said, " ~"), words[k], strlen(words[k])) == 0)
+            return cagd_refuse_token(
+                       r,
+                       "is what stands before '%s' supposed under that condition alone, or both? write 'and', or "
+                       "the condition in the formula",
+                       said) == NULL;
+    return 0;
+}
+
 static int ends_range(const cagd_token *t) { return t->kind == CAGD_TOKEN_END || strchr(",;.", t->word[0]) != NULL; }
 
 static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
@@ -1264,7 +1281,7 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         cagd_reading_error listed = {0};
         int from = r->token->from;
         int parity, is_alone;
-        if (!pass_words_before(r, &parity))
+        if (refuse_condition_of_bounds(r, first) || !pass_words_before(r, &parity))
             return 0;
         int behind = parity != 0 && ends_range(r->token);
         last = first, first = r->token;
