@@ -338,23 +338,12 @@ static int is_in_order(const struct document *d, int at, int stop)
 
 /* ---- definitions that wait ------------------------------------------------------------------------------- */
 
-/* Where the name ends that a line defines, without its indices and arguments. */
-static int end_of_name(const struct document *d, int from, int to)
-{
-    while (from < to && strchr("_^('=<>,:", d->text[from]) == NULL)
-        from++;
-    return from;
-}
-
 /* Whether a line that waits defines the same name: of several definitions the first that fits is taken, so that they keep their order. */
 static int is_of_one_that_waits(const struct document *d, int from, int to)
 {
-    int n = end_of_name(d, from, to) - from;
-    for (int k = 0; k < d->waits; k++) {
-        const struct waiting *w = &d->waiting[k];
-        if (end_of_name(d, w->from, w->to) - w->from == n && memcmp(d->text + from, d->text + w->from, (size_t)n) == 0)
+    for (int k = 0; k < d->waits; k++)
+        if (cagd_define_same(&d->scope, d->text, from, to, d->waiting[k].from, d->waiting[k].to))
             return 1;
-    }
     return 0;
 }
 
@@ -605,6 +594,13 @@ static int is_last_bracket(const char *text, int at, int to)
     return at == to - 1;
 }
 
+/* Whether the words are "and" alone, behind which something else is said. */
+static int is_and_alone(const char *words)
+{
+    words += strspn(words, " ,~\\");
+    return strncmp(words, "and", 3) == 0 && words[3 + strspn(words + 3, " ,~\\")] == '}';
+}
+
 /* Where ranges can begin at `at`, outside of brackets: behind a comma, at words, behind a wide space before a list, in brackets behind a wide space or with a
  * list in them; their end goes to *to.  -1 where they cannot. */
 static int ranges_at(const char *text, int from, int at, int *to)
@@ -613,7 +609,7 @@ static int ranges_at(const char *text, int from, int at, int *to)
     if (text[at] == ',')
         return at + 1;
     for (size_t k = 0; k < sizeof words / sizeof *words && at > from; k++)
-        if (strncmp(text + at, words[k], strlen(words[k])) == 0)
+        if (strncmp(text + at, words[k], strlen(words[k])) == 0 && !is_and_alone(text + at + strlen(words[k])))
             return at;
     if (at > from && (strncmp(text + at, "\\quad", 5) == 0 || strncmp(text + at, "\\qquad", 6) == 0) &&
         is_list_of_letter(text, at, *to))
@@ -797,7 +793,7 @@ static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope 
                                            cagd_reading_error *error)
 {
     enum { MOST_TRIES = 60, MOST_PLACES = 40 };
-    int depth = 0, tries = MOST_TRIES, places = 0;
+    int depth = 0, environments = 0, tries = MOST_TRIES, places = 0;
     cagd_reading_error asked = {0};
     while (to > from && strchr(" \n.,;", d->text[to - 1]) != NULL)
         to--;
@@ -805,6 +801,7 @@ static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope 
         cagd_reading_error unused;
         cagd_scope known = *scope, other;
         int stop = to, begin = depth == 0 ? ranges_at(d->text, from, at, &stop) : -1;
+        environments += (strncmp(d->text + at, "\\begin{", 7) == 0) - (strncmp(d->text + at, "\\end{", 5) == 0);
         depth += (strchr("({[", d->text[at]) != NULL) - (strchr(")}]", d->text[at]) != NULL);
         if (begin < 0 || begin >= stop)
             continue;
@@ -813,7 +810,7 @@ static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope 
         if (!is_list(d->text, begin, stop) && cagd_read_statement(scope, d->text, from, at, &unused) != NULL)
             continue;
         if (!cagd_read_ranges(&known, d->text, begin, stop, &unused)) {
-            if (unused.of_list && asked.message[0] == '\0')
+            if ((unused.of_list || (unused.of_words && environments == 0)) && asked.message[0] == '\0')
                 asked = unused;
             if (asked.message[0] == '\0')
                 ask_for_second(d, scope, from, at, begin, stop, &tries, &asked);

@@ -210,6 +210,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
                           source(d, v->high));
         if (bounded && has_others(f, v))
             text = append(text, " for $%s = %ld$ to $%ld$", letter, v->first, v->last);
+        else if (bounded && v->when != NULL && !v->some)
+            text = append(text, " for some indices");
         comma = ", ";
     }
     for (int k = 0; k < f->names; k++) {

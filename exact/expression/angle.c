@@ -362,16 +362,21 @@ static void add_named(cagd_context *c, const cagd_tree *t, struct amount much, c
     char key[96];
     int is_letter;
     const struct cagd_angle *a = angle_of_letter(c, t, f, &is_letter);
-    const cagd_variable any = {.head = t->head}, *v = cagd_declared(c->scope, t->head);
-    if (v == NULL && t->count == 0) /* a letter of definitions alone: any angle */
-        v = &any;
-    if (a != NULL)
+    if (a != NULL) {
         add_argument(c, t, much, a, sum);
-    else if (!is_letter && !much.of_pi && is_pi(c->scope, t))
+        return;
+    }
+    if (!is_letter && !much.of_pi && is_pi(c->scope, t)) {
         *sum = turned(*sum, turned_by_pi(c, t, much.times));
-    else if (is_letter || v == NULL)
+        return;
+    }
+    const cagd_variable any = {.head = t->head};
+    const cagd_variable *v = is_letter ? NULL : cagd_declaration_of(c, t, f, key, sizeof key);
+    if (v == NULL && !is_letter && t->count == 0) /* a letter of definitions alone: any angle */
+        v = &any;
+    if (v == NULL)
         refuse(c, t);
-    else if (cagd_key_of(c, t, f, key, sizeof key))
+    else if (region_faults == 0)
         add_multiple(c, t, much.times, twice_phi(c, t, key, much.of_pi, v), sum);
 }
 

@@ -104,6 +104,7 @@ const cagd_tree *cagd_unknown_in_bounds(const cagd_scope *scope, const cagd_tree
     for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
         const cagd_tree *t = unknown_in(scope, v->low, v->left);
         t = t == NULL ? unknown_in(scope, v->high, v->left) : t;
+        t = t == NULL ? unknown_in(scope, v->when, v->left) : t;
         *of = v;
         if (t != NULL && cagd_declared(scope, v->head) == v && cagd_depends_on(scope, statement, v->head))
             return t;

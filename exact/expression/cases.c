@@ -7,6 +7,8 @@
 #include "exact/record/trace.h"
 #include "exact/words.h"
 
+#include <stdio.h>
+
 enum { QUICK_CASES = 16 };
 
 /* The value of an end of a range in the numbers that are chosen already. */
@@ -124,7 +126,12 @@ void cagd_decide_cases(cagd_run *r, int level)
     high = v->high != NULL ? high - v->high_open : low + r->taken - 1;
     long step = v->step > 1 ? v->step : 1;
     if (low <= high && (high - low) % step != 0) {
-        cagd_note_undecided(r, &(cagd_context){0}, "a range whose last number is none of those that its step reaches");
+        char text[160];
+        int n =
+            snprintf(text, sizeof text, "the list of %.20s goes from %ld by steps of %ld: %s%.20s%s%ld is not reached",
+                     v->head, low, step, v->high->kind == CAGD_NAME ? "" : "its last number, ",
+                     v->high->kind == CAGD_NAME ? v->high->head : "", v->high->kind == CAGD_NAME ? " = " : "", high);
+        cagd_note_undecided(r, &(cagd_context){0}, cagd_text_of(text, n));
         r->out->undecided++;
         return;
     }

@@ -73,7 +73,8 @@ int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, cons
         for (const cagd_variable *w = scope->variables; w != NULL; w = w->next)
             used |= !w->whole && uses(scope, statement, w->head, 0) &&
                     ((w->low != NULL && cagd_tree_has(w->low, v->head)) ||
-                     (w->high != NULL && cagd_tree_has(w->high, v->head)));
+                     (w->high != NULL && cagd_tree_has(w->high, v->head)) ||
+                     (w->when != NULL && cagd_tree_has(w->when, v->head) && !cagd_tree_has(w->left, v->head)));
         if (!v->whole || known || !used)
             continue;
         if (count == room)

@@ -213,6 +213,33 @@ static cagd_value pi(cagd_context *c)
     return x;
 }
 
+/* Whether the declaration says anything of the name with these indices; where that depends on names without values there is none. */
+static int is_for_indices(void *data, const cagd_variable *v, const long index[])
+{
+    cagd_context *c = data;
+    frame room[2 * CAGD_MOST_INDICES];
+    const frame *f = NULL;
+    if (v->when == NULL || v->left == NULL)
+        return 1;
+    for (int k = 0; k < v->left->lower + v->left->upper; k++)
+        if (v->left->at[k]->kind == CAGD_NAME) {
+            room[k] = (frame){v->left->at[k]->head, cagd_value_int(index[k]), f};
+            f = &room[k];
+        }
+    int is = truth(c, v->when, f);
+    if (is < 0 && region_faults == 0)
+        cagd_fail(c, v->left, FAULT_UNABLE, "of which indices bounds are depends on variables");
+    return is > 0;
+}
+
+const cagd_variable *cagd_declaration_of(cagd_context *c, const cagd_tree *t, const cagd_frame *f, char key[], int room)
+{
+    long index[2 * CAGD_MOST_INDICES];
+    if (!key_and_indices(c, t, f, key, room, index))
+        return NULL;
+    return cagd_declared_for(c->scope, t, key, index, is_for_indices, c);
+}
+
 /* A name that no definition fits, or that has none. */
 static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
 {
@@ -229,7 +256,8 @@ static cagd_value variable(cagd_context *c, const cagd_tree *t, const frame *f)
         c->mixes_angles |= c->binding[k].angle != NULL && strcmp(c->binding[k].angle, key) == 0;
     if (strcmp(key, CAGD_PI) == 0 && cagd_declared(c->scope, t->head) == NULL)
         return pi(c);
-    return unknown(c, t, key, cagd_declared_for(c->scope, t, key, index));
+    const cagd_variable *declared = cagd_declared_for(c->scope, t, key, index, is_for_indices, c);
+    return region_faults == 0 ? unknown(c, t, key, declared) : cagd_value_int(0);
 }
 
 /* ---- definitions --------------------------------------------------------------------------------------- */
@@ -510,10 +538,24 @@ static cagd_value extremum(cagd_context *c, const cagd_tree *t, const frame *f, 
     return best;
 }
 
+/* Whether it is a sum of whole multiples of variables that stand for whole numbers, and of a whole number. */
+static int is_whole_form(const cagd_context *c, num_f rest)
+{
+    num_q number;
+    for (int k = 0; k < c->wholes; k++) {
+        if (!is_constant_f(derivative_f(rest, c->whole[k]), &number) || !cagd_is_whole_q(number))
+            return 0;
+        rest = sub_f(rest, mul_f(cagd_from_rational_f(number), c->whole[k]));
+    }
+    return c->wholes > 0 && is_constant_f(rest, &number) && cagd_is_whole_q(number);
+}
+
 static cagd_value rounded(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     cagd_value a = evaluate(c, t->at[0], f);
     if (region_faults != 0)
+        return a;
+    if (!a.rational && is_whole_form(c, a.f))
         return a;
     if (!a.rational)
         return cagd_fail(c, t, FAULT_UNABLE, "a rounded number that depends on variables");

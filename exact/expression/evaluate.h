@@ -28,12 +28,12 @@ typedef struct cagd_binding {
     int is_tied;  /* and that by an equality of higher degree (tie.h)                     */
     int has_root; /* it is that root, and its bounds are rational numbers near it (tie.h) */
     struct cagd_root root;
-    int is_number; /* and no name of the page                                                    */
-    int is_letter; /* it has that value for a while, in place of its own                           */
-    int hidden;    /* other names are functions of it that the page does not know (tie.h)            */
+    int is_number;     /* and no name of the page                                                    */
+    int is_letter;     /* it has that value for a while, in place of its own                           */
+    int hidden;        /* other names are functions of it that the page does not know (tie.h)            */
     const char *angle; /* the angle of whose part this is the tangent, or, where it has none, the cosine; or NULL */
-    int of_pi; /* the angle is \pi times that name                                            */
-    int turned; /* and that of what it is behind so many quarters of the way around (angle.h)   */
+    int of_pi;         /* the angle is \pi times that name                                            */
+    int turned;        /* and that of what it is behind so many quarters of the way around (angle.h)   */
     /* Whether the lower, the upper end is this root, of which `low` and `high` are numbers outside: no other root of its polynomial is between
      * the bounds, and so the sign of its polynomial tells on which side of it the name is. */
     int is_root_end[2], root_end_open[2];
@@ -150,7 +150,9 @@ typedef struct cagd_context {
     int fits_none;       /* no definition of a name fitted                                                */
     cagd_num_f *divisor; /* where it is not NULL, divisors that are no numbers are written there, at most so many */
     int divisors, most_divisors;
-    int tells_poles; /* more than so many are poles that are left out; otherwise they are UNABLE        */
+    int tells_poles;     /* more than so many are poles that are left out; otherwise they are UNABLE        */
+    cagd_num_f whole[3]; /* variables of the field that stand for whole numbers, as n does in a proof for every n */
+    int wholes;
     cagd_sums_met sums;
     int one_sided; /* a derivative was taken where the definitions end, from the side on which they fit */
 } cagd_context;
@@ -196,6 +198,10 @@ int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, c
 cagd_value cagd_fail(cagd_context *c, const cagd_tree *t, unsigned fault, const char *why);
 /* "\omega_3^{2}": the name with the values of its indices; 0 where there is none. */
 int cagd_key_of(cagd_context *c, const cagd_tree *t, const cagd_frame *f, char key[], int room);
+
+/* The declaration of the name with its indices, and its key; NULL where there is none, or region_faults. */
+const cagd_variable *cagd_declaration_of(cagd_context *c, const cagd_tree *t, const cagd_frame *f, char key[],
+                                         int room);
 
 /* Notes that the sum was met. */
 void cagd_note_sum(cagd_sums_met *met, const cagd_tree *sum, int has_terms);

@@ -1250,6 +1250,11 @@ static int at_the_end(cagd_reader *r)
         r->token++;
     if (r->token->kind == CAGD_TOKEN_END)
         return 1;
+    const cagd_token *here = r->token;
+    const char *words = cagd_read_words(r);
+    r->token = here;
+    if (words != NULL && words[0] != '\0' && !cagd_are_words_of_range(words))
+        return cagd_refuse_words(r, words) != NULL;
     return cagd_refuse_token(r, "expected the end of the formula, not %s", cagd_name_of_next(r)) != NULL;
 }
 

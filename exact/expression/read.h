@@ -29,6 +29,8 @@ const cagd_tree *cagd_read_supposed(const cagd_scope *scope, const char *text, i
  *     \omega_i \in \mathbb{R},  -1 \le \lambda < 1  variables, and what they are
  *     0/0 = 0                                       the rule of Cox and de Boor */
 int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error);
+/* Whether two lines define a name together, \mathbf f_i and \mathbf{f}_j: of several definitions the first that fits is taken, so that they keep their order. */
+int cagd_define_same(const cagd_scope *scope, const char *text, int from, int to, int other, int other_to);
 
 /* The same of a line that declares variables that are no whole numbers, with bounds that are numbers or none: whether it is such a one. */
 int cagd_read_declaration(cagd_scope *scope, const char *text, int from, int to);

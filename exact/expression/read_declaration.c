@@ -1,4 +1,5 @@
 /* read_declaration.c -- lines that say what names mean, and for what a statement is said. */
+#include "exact/expression/depends.h"
 #include "exact/expression/reader.h"
 #include "exact/words.h"
 
@@ -128,6 +129,7 @@ static const cagd_tree *condition(cagd_reader *r)
 }
 
 static int definition(cagd_reader *r, cagd_scope *scope);
+static int refuse_degree(cagd_reader *r, const cagd_scope *scope, const cagd_tree *name, const cagd_tree *value);
 
 /* Whether all names of t are letters that are indices of the left side by themselves. */
 static int is_of_indices(const cagd_tree *left, const cagd_tree *t)
@@ -140,8 +142,24 @@ static int is_of_indices(const cagd_tree *left, const cagd_tree *t)
     return is;
 }
 
-/* D_{\lfloor n/2 \rfloor}^n: an index that the others give becomes a letter that no text has, and *given the condition that it is that. */
-static const cagd_tree *with_given_indices(cagd_reader *r, const cagd_tree *left, const cagd_tree **given)
+/* Whether the letter, a whole number, is called as last indices are and running ones are not. */
+static int is_called_as_last(const char *letter) { return letter[1] == '\0' && strchr("nmNM", letter[0]) != NULL; }
+static int is_last_index(const cagd_scope *scope, const char *letter)
+{
+    const cagd_variable *v = cagd_declared(scope, letter);
+    return v != NULL && v->whole && is_called_as_last(letter);
+}
+
+/* \omega_n, where n = 3 or n = 1, 2, 3: one of them. */
+static int is_certain_index(const cagd_scope *scope, const cagd_tree *t)
+{
+    return t->kind == CAGD_NAME && t->count == 0 && (cagd_has_value(scope, t->head) || is_last_index(scope, t->head));
+}
+
+/* D_{\lfloor n/2 \rfloor}^n: an index that the others give becomes a letter that no text has, and *given the condition that it is that.  So does n in \omega_n, where
+ * it is a certain index in `scope`, which may be NULL. */
+static const cagd_tree *with_given_indices(cagd_reader *r, const cagd_scope *scope, const cagd_tree *left,
+                                           const cagd_tree **given)
 {
     static const char *const letters[2 * CAGD_MOST_INDICES] = {"index 1", "index 2", "index 3", "index 4",
                                                                "index 5", "index 6", "index 7", "index 8"};
@@ -155,7 +173,9 @@ static const cagd_tree *with_given_indices(cagd_reader *r, const cagd_tree *left
     *copy = *left, copy->at = at;
     for (int k = 0; k < left->count; k++) {
         const cagd_tree *t = at[k] = left->at[k];
-        if (k >= left->lower + left->upper || t->kind == CAGD_NAME || t->kind == CAGD_NUMBER || !is_of_indices(left, t))
+        int is_certain = scope != NULL && is_certain_index(scope, t);
+        if (k >= left->lower + left->upper ||
+            (!is_certain && (t->kind == CAGD_NAME || t->kind == CAGD_NUMBER || !is_of_indices(left, t))))
             continue;
         cagd_tree *letter = cagd_new(r, CAGD_NAME, t->from, 0);
         if (letter == NULL)
@@ -174,6 +194,18 @@ static int has_index_of_its_own(const cagd_tree *left)
         if (left->at[k]->kind == CAGD_NUMBER || cagd_same_index(left, k) >= 0)
             return 1;
     return 0;
+}
+
+/* f_i(t) = ..., \quad 0 \le i \le 1: i, by its letter, is a whole number there, too, where the index is not. */
+static const cagd_tree *with_whole_indices(cagd_reader *r, const cagd_tree *left, const cagd_tree *when)
+{
+    const cagd_tree *list[2 * CAGD_MOST_INDICES + 1] = {when};
+    int count = 1;
+    for (int k = 0; k < left->lower + left->upper; k++)
+        if (left->at[k]->kind == CAGD_NAME && cagd_is_usual_index(left->at[k]->head) &&
+            cagd_tree_has(when, left->at[k]->head) && (list[count++] = cagd_is_whole(r, left->at[k])) == NULL)
+            return NULL;
+    return count == 1 ? when : cagd_new_of(r, CAGD_ALL, when->from, count, list);
 }
 
 /* The right side of a definition, in which the arguments of the left side are known, and what stands behind it; `given`: NULL, or a
@@ -207,14 +239,31 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, 
         d->body = body, d->dimension = body->dimension;
         int bracket = cagd_is_truth_in_brackets(r); /* f(t) = t^2 \quad (0 \le t \le 1) */
         if (cagd_pass(r, ",") || cagd_next_is(r, "\\text") || bracket) {
-            cagd_read_words(r);
+            const cagd_token *here = r->token;
+            const char *words = cagd_read_words(r);
+            if (words != NULL && !cagd_are_words_of_range(words) && r->token->kind != CAGD_TOKEN_END) {
+                r->token = here;
+                return cagd_refuse_words(r, words) != NULL;
+            }
+            if (words != NULL && cagd_parity_of_words(words) != 0) { /* for even i \ge 2 */
+                if ((d->when = cagd_is_of_parity(r, cagd_parity_of_words(words))) == NULL)
+                    return 0;
+                r->token += r->token[1].kind == CAGD_TOKEN_END;
+            }
             bracket = cagd_is_truth_in_brackets(r) && cagd_pass(r, "(");
             r->defines = left->head;
-            read = r->token->kind == CAGD_TOKEN_END || next_definition(r) ||
-                   ((d->when = condition(r)) != NULL && (!bracket || cagd_expect(r, ")", "the condition")));
+            if (r->token->kind != CAGD_TOKEN_END && !next_definition(r)) {
+                const cagd_tree *both[2] = {d->when, condition(r)};
+                d->when = both[0] == NULL   ? both[1]
+                          : both[1] == NULL ? NULL
+                                            : cagd_new_of(r, CAGD_ALL, both[0]->from, 2, both);
+                read = d->when != NULL && (!bracket || cagd_expect(r, ")", "the condition"));
+            }
             r->defines = NULL;
         }
     }
+    if (read && d->when != NULL)
+        read = (d->when = with_whole_indices(r, left, d->when)) != NULL;
     if (read && given != NULL)
         d->when =
             d->when == NULL ? given : cagd_new_of(r, CAGD_ALL, left->from, 2, (const cagd_tree *[]){given, d->when});
@@ -234,10 +283,17 @@ static int definition(cagd_reader *r, cagd_scope *scope)
         return cagd_refuse_tree(r, left, "the left side of a definition is a name with its indices and arguments") !=
                NULL;
     const cagd_tree *given = NULL;
-    left = with_given_indices(r, left, &given);
+    int is_value = left->arguments == 0 && cagd_declared(scope, left->head) != NULL; /* of a variable */
+    const cagd_tree *as_written = left;
+    left = with_given_indices(r, is_value ? scope : NULL, left, &given);
     if (left == NULL || !is_left_side(r, left, 1) || (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
         return 0;
     if (!right_side(r, scope, left, given))
+        return 0;
+    const cagd_definition *last = cagd_defined(scope, left->head);
+    while (last != NULL && last->next != NULL)
+        last = last->next;
+    if (is_value && last != NULL && last->when == given && refuse_degree(r, scope, as_written, last->body))
         return 0;
     return !next_definition(r) || definition(r, scope);
 }
@@ -326,8 +382,8 @@ static int second_definition(cagd_reader *r, int *end)
             continue;
         *end = at->from;
         cagd_pass(r, ",");
-        cagd_read_words(r);
-        if (next_definition(r))
+        const char *words = cagd_read_words(r);
+        if (next_definition(r) && (words == NULL || cagd_are_words_of_range(words)))
             return r->token->from;
         r->token = at;
     }
@@ -373,13 +429,46 @@ int cagd_read_definition(cagd_scope *scope, const char *text, int from, int to, 
     return good;
 }
 
+/* The names that a line defines, one for each of its rows and definitions behind one another; their number. */
+enum { MOST_DEFINED = CAGD_MOST_CHILDREN };
+static int defined_names(const cagd_scope *scope, const char *text, int from, int to, const char *head[MOST_DEFINED])
+{
+    cagd_reader r;
+    cagd_reading_error none;
+    int count = 0, depth = 0, begins = 1;
+    if (!cagd_reader_open(&r, scope, text, from, to, &none) || !is_definition(r.token))
+        return 0;
+    for (const cagd_token *t = r.token; t->kind != CAGD_TOKEN_END && count < MOST_DEFINED; t++) {
+        r.token = t;
+        none = (cagd_reading_error){0};
+        const cagd_tree *name = begins && depth == 0 ? declared_name(&r) : NULL;
+        if (name != NULL && is_equal_sign(r.token) && (count == 0 || name->arguments > 0))
+            head[count++] = name->head;
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        begins = strcmp(t->word, ",") == 0 || strcmp(t->word, ";") == 0 || strcmp(t->word, "}") == 0;
+    }
+    return count;
+}
+
+int cagd_define_same(const cagd_scope *scope, const char *text, int from, int to, int other, int other_to)
+{
+    const char *head[MOST_DEFINED], *others[MOST_DEFINED];
+    int count = defined_names(scope, text, from, to, head), more = defined_names(scope, text, other, other_to, others);
+    for (int k = 0; k < count; k++)
+        for (int m = 0; m < more; m++)
+            if (strcmp(head[k], others[m]) == 0)
+                return 1;
+    return 0;
+}
+
 /* ---- ranges -------------------------------------------------------------------------------------------- */
 
 /* Whether the name stands for one alone, as \omega_3; \omega_i stands for all. */
 static int is_one_of_many(const cagd_tree *name)
 {
+    long index;
     for (int k = 0; k < name->count; k++)
-        if (name->at[k]->kind != CAGD_NUMBER || !cagd_is_whole_q(name->at[k]->number))
+        if (!cagd_is_whole_in_long(name->at[k], &index))
             return 0;
     return name->count > 0 && name->arguments == 0;
 }
@@ -390,7 +479,8 @@ static const char *key_of_one(const cagd_tree *name)
     char key[96];
     long index[2 * CAGD_MOST_INDICES];
     for (int k = 0; k < name->count; k++)
-        index[k] = mpz_get_si(mpq_numref(name->at[k]->number.at));
+        if (!cagd_is_whole_in_long(name->at[k], &index[k]))
+            return NULL;
     return cagd_put_key(key, sizeof key, name, index) < (int)sizeof key ? cagd_text_of(key, (int)strlen(key)) : NULL;
 }
 
@@ -550,6 +640,65 @@ static int declare_one(cagd_scope *scope, const cagd_tree *name, cagd_variable b
     return one.head != NULL && cagd_declare(scope, one);
 }
 
+/* \omega_n = 1, a_n \ge 0: where nothing is said of n it can be one of them or all; so of a_n = 2^n where n is a range.  `value`: NULL for bounds. */
+static int refuse_degree(cagd_reader *r, const cagd_scope *scope, const cagd_tree *name, const cagd_tree *value)
+{
+    for (int k = 0; k < name->lower + name->upper; k++) {
+        const cagd_tree *t = name->at[k];
+        if (t->kind != CAGD_NAME || t->count > 0 || !is_called_as_last(t->head) || cagd_has_value(scope, t->head) ||
+            cagd_is_label(scope, t->head))
+            continue;
+        int is_range = is_last_index(scope, t->head), has_letter = value != NULL && cagd_tree_has(value, t->head);
+        if (is_range != has_letter)
+            continue;
+        return cagd_refuse_tree(
+                   r, name, "is it said of all %s, or of that with the index %s alone? write %s_i for all of them%s%s",
+                   cagd_spelled(name->head), t->head, cagd_text_of(name->head, (int)strcspn(name->head, "_")),
+                   is_range ? ", or its value for each number" : ", or first the range of ",
+                   is_range ? "" : t->head) == NULL;
+    }
+    return 0;
+}
+
+/* Whether the name is all of those that are called so, and no certain one, as \omega_3, \omega_{i+1}, or \omega_n where n = 1, 2, 3. */
+static int is_each(const cagd_scope *scope, const cagd_tree *name)
+{
+    for (int k = 0; k < name->count; k++) {
+        const cagd_tree *t = name->at[k];
+        const cagd_definition *d = t->kind == CAGD_NAME ? cagd_defined(scope, t->head) : NULL;
+        if (t->kind != CAGD_NAME || t->count > 0 || (d != NULL && d->left->count == 0) ||
+            is_last_index(scope, t->head) || cagd_same_index(name, k) >= 0)
+            return 0;
+        for (const cagd_variable *v = scope->variables; v != NULL; v = v->next)
+            if (v->whole && v->high != NULL && strcmp(v->head, t->head) != 0 && cagd_tree_has(v->high, t->head) &&
+                cagd_declared(scope, t->head) != NULL)
+                return 0;
+    }
+    return 1;
+}
+
+/* a_{ii} \ge 0 is said of some. */
+static int refuse_equal_indices(cagd_reader *r, const cagd_tree *name)
+{
+    for (int k = 0; k < name->lower + name->upper; k++)
+        if (name->at[k]->kind == CAGD_NAME && cagd_same_index(name, k) >= 0)
+            return cagd_refuse_tree(r, name, "bounds where two indices are the same: write those of each alone") ==
+                   NULL;
+    return 0;
+}
+
+/* low <= a_n <= high, one of them: supposed. */
+static int suppose_between(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, const cagd_variable *v)
+{
+    const cagd_relation up[2] = {v->low_open ? CAGD_LESS : CAGD_LESS_OR_EQUAL,
+                                 v->high_open ? CAGD_LESS : CAGD_LESS_OR_EQUAL};
+    const cagd_tree *list[3] = {v->low, name, v->high};
+    if (cagd_declared(scope, name->head) == NULL && !declare(r, scope, name, (cagd_variable){0}))
+        return 0;
+    const cagd_tree *t = cagd_relate(r, name->from, v->high != NULL ? 3 : 2, list, up);
+    return t != NULL && cagd_suppose(scope, t);
+}
+
 /* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma.  A number that has bounds by
  * this list, which began with the scope `began`, keeps them. */
 static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, cagd_reading_error *listed)
@@ -588,6 +737,14 @@ static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, 
         cagd_variable w = v;
         if (v.low != NULL && !v.whole && is_one_of_many(name[k])) {
             if ((before == NULL && !declare(r, scope, name[k], (cagd_variable){0})) || !declare_one(scope, name[k], v))
+                return 0;
+            continue;
+        }
+        if (v.low != NULL && !v.whole && name[k]->count > 0 &&
+            (refuse_degree(r, scope, name[k], NULL) || refuse_equal_indices(r, name[k])))
+            return 0;
+        if (v.low != NULL && !v.whole && name[k]->count > 0 && !is_each(scope, name[k])) {
+            if (!suppose_between(r, scope, name[k], &v))
                 return 0;
             continue;
         }
@@ -671,20 +828,6 @@ static int range_in_list(cagd_reader *r, const cagd_scope *before, const char *l
     return is;
 }
 
-/* a_j = 0, j = 1, 2: the condition that the indices, letters, are within the ranges that the list has of them; NULL where it has none. */
-static const cagd_tree *within_ranges(cagd_reader *r, const cagd_scope *before, const cagd_tree *name)
-{
-    const cagd_tree *when = NULL;
-    cagd_list list;
-    for (int k = 0; k < name->lower + name->upper; k++)
-        if (name->at[k]->kind == CAGD_NAME && name->at[k]->count == 0 &&
-            range_in_list(r, before, name->at[k]->head, &list)) {
-            const cagd_tree *one = cagd_is_in_list(r, name->at[k], &list);
-            when = when == NULL ? one : cagd_new_of(r, CAGD_ALL, name->from, 2, (const cagd_tree *[]){when, one});
-        }
-    return when;
-}
-
 /* \lambda_i = -\lambda_{n+1-i}, which defines nothing: it is supposed for every i. */
 static int suppose_for_every(cagd_reader *r, cagd_scope *scope, const cagd_tree *name, const cagd_tree *value)
 {
@@ -708,7 +851,7 @@ static int suppose_for_every(cagd_reader *r, cagd_scope *scope, const cagd_tree 
 }
 
 /* i = 0, \dots, n; i = 0, 1, 2; i = 0(1)n; or n = 3, which is a definition.  -1: it is no such thing. */
-static int numbers(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
+static int numbers(cagd_reader *r, cagd_scope *scope)
 {
     struct place start = here(r);
     cagd_variable v = {0};
@@ -734,11 +877,13 @@ static int numbers(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         return 0;
     if (name->count > 0 && name->arguments == 0 && cagd_tree_has(v.low, name->head))
         return suppose_for_every(r, scope, name, v.low);
-    if (!is_left_side(r, name, 0))
+    const cagd_tree *given = NULL;
+    if (!is_left_side(r, name, 0) || refuse_degree(r, scope, name, v.low) ||
+        (name = with_given_indices(r, scope, name, &given)) == NULL)
         return 0;
     cagd_definition *d = cagd_define(scope, name);
     if (d != NULL)
-        d->body = v.low, d->dimension = v.low->dimension, d->when = within_ranges(r, before, name);
+        d->body = v.low, d->dimension = v.low->dimension, d->when = given;
     return d != NULL;
 }
 
@@ -791,7 +936,55 @@ static void declare_ahead(cagd_reader *r, cagd_scope *scope, const cagd_scope *b
         cagd_reading_error listed;
         r->token = ahead;
         declare_ahead(r, scope, before, depth + 1);
-        if ((strcmp(ahead[1].word, "\\in") == 0 ? elements(r, scope, before, &listed) : numbers(r, scope, before)) <= 0)
+        if ((strcmp(ahead[1].word, "\\in") == 0 ? elements(r, scope, before, &listed) : numbers(r, scope)) <= 0)
+            *scope = as_it_was;
+        back(r, start);
+    }
+}
+
+/* Whether the token is an index, or in one: b_n, b_{i,n}. */
+static int is_in_index(const cagd_token *first, const cagd_token *t)
+{
+    int depth = 0;
+    for (; t > first; t--) {
+        int opens = depth == 0 && strcmp(t[-1].word, "{") == 0;
+        depth += (strcmp(t[-1].word, "}") == 0) - (strcmp(t[-1].word, "{") == 0 && depth > 0);
+        if (depth == 0 && strcmp(t[opens ? -2 : -1].word, "_") == 0 && (opens || t[-1].word[0] == '_'))
+            return t - opens > first;
+        if (depth == 0 && !opens && strchr("=<>", t[-1].word[0]) != NULL)
+            return 0;
+    }
+    return 0;
+}
+
+/* \omega_n = 1, n = 2: what is said of a letter that is an index here, and has one value or is called as last indices are, is read first, as if it stood
+ * first. */
+static void declare_degrees_ahead(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
+{
+    struct place start = here(r);
+    for (const cagd_token *t = start.token; t->kind != CAGD_TOKEN_END; t++) {
+        const cagd_token *ahead =
+            t->kind == CAGD_TOKEN_LETTER && !cagd_is_known(r, t->word) && is_in_index(start.token, t)
+                ? range_ahead(r, t->word)
+                : NULL;
+        if (ahead == NULL)
+            continue;
+        cagd_scope as_it_was = *scope;
+        cagd_reading_error listed;
+        cagd_list list;
+        struct cagd_bound room[CAGD_MOST_CHILDREN];
+        const struct cagd_bound *outside = r->bound;
+        bind_ranges_ahead(r, room);
+        r->token = ahead;
+        int is_list = cagd_read_index_range(r, &list);
+        r->bound = outside;
+        back(r, (struct place){ahead, start.depth});
+        if (is_list && !is_called_as_last(t->word)) {
+            back(r, start);
+            continue;
+        }
+        declare_ahead(r, scope, before, 0);
+        if ((strcmp(ahead[1].word, "\\in") == 0 ? elements(r, scope, before, &listed) : numbers(r, scope)) <= 0)
             *scope = as_it_was;
         back(r, start);
     }
@@ -925,48 +1118,6 @@ static const cagd_tree *name_ahead(cagd_reader *r)
     return found;
 }
 
-/* Whether the letter, a whole number, is called as last indices are and running ones are not. */
-static int is_last_index(const cagd_scope *scope, const char *letter)
-{
-    const cagd_variable *v = cagd_declared(scope, letter);
-    return v != NULL && v->whole && letter[1] == '\0' && strchr("nmNM", letter[0]) != NULL;
-}
-
-/* Whether the name is all of those that are called so, and no certain one, as \omega_3, \omega_{i+1}, or \omega_n where n = 1, 2, 3. */
-static int is_each(const cagd_scope *scope, const cagd_tree *name)
-{
-    for (int k = 0; k < name->count; k++) {
-        const cagd_tree *t = name->at[k];
-        const cagd_definition *d = t->kind == CAGD_NAME ? cagd_defined(scope, t->head) : NULL;
-        if (t->kind != CAGD_NAME || t->count > 0 || (d != NULL && d->left->count == 0) || is_last_index(scope, t->head))
-            return 0;
-        for (const cagd_variable *v = scope->variables; v != NULL; v = v->next)
-            if (v->whole && v->high != NULL && strcmp(v->head, t->head) != 0 && cagd_tree_has(v->high, t->head) &&
-                cagd_declared(scope, t->head) != NULL)
-                return 0;
-    }
-    return 1;
-}
-
-static int is_whole_number(const cagd_tree *t) { return t->kind == CAGD_NUMBER && cagd_is_whole_q(t->number); }
-
-/* Bounds of a_j for j = 1, 2 are not those of a_3. */
-static int restrict_bounds(cagd_reader *r, const cagd_scope *before, cagd_variable *v)
-{
-    const cagd_tree *left = v->left;
-    cagd_list list;
-    v->some = left->lower == 1 && left->upper == 0 && left->at[0]->kind == CAGD_NAME && left->at[0]->count == 0 &&
-              range_in_list(r, before, left->at[0]->head, &list);
-    if (v->some && (list.count > 0 || list.step > 1))
-        return cagd_refuse_tree(r, left,
-                                "bounds for some indices that are not one behind another: write those of each alone") !=
-               NULL;
-    v->some = v->some && is_whole_number(list.low) && is_whole_number(list.high);
-    if (v->some)
-        v->first = mpz_get_si(mpq_numref(list.low->number.at)), v->last = mpz_get_si(mpq_numref(list.high->number.at));
-    return 1;
-}
-
 /* Bounds of \lambda_i may have n, the range of which is told later, behind them or for a statement: a letter that last indices are called, or that
  * has a range ahead. */
 static void bind_degrees(cagd_reader *r, struct cagd_bound room[CAGD_MOST_CHILDREN])
@@ -1025,8 +1176,12 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         up &= k + 1 == count || is_less(relation[k]);
         down &= k + 1 == count || is_greater(relation[k]);
     }
+    if (alone == 1 && refuse_equal_indices(r, p[which].tree))
+        return 0;
     if (!some_index && (alone == 1 || (alone == 0 && whole == 1)) && count <= 3 && (up || down) &&
         (count == 2 || which == 1) && (is_one_of_many(p[which].tree) || is_each(scope, p[which].tree))) {
+        if (refuse_degree(r, scope, p[which].tree, NULL))
+            return 0;
         cagd_variable v, was;
         const cagd_variable *old = declaration_of(before, p[which].tree, &was) ? &was : NULL;
         declaration_of(scope, p[which].tree, &v);
@@ -1052,8 +1207,6 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         }
         if (replaces) {
             take_letters(&v, p[which].tree, p, count);
-            if (!restrict_bounds(r, before, &v))
-                return 0;
             return cagd_declare(scope, v);
         }
     }
@@ -1064,15 +1217,23 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     return t != NULL && (t = for_every_index(r, before, t)) != NULL && cagd_suppose(scope, t);
 }
 
-/* The words before a range, of which "even" and "odd" say something of its letter: -1, 1; else 0. */
-static int pass_words_before(cagd_reader *r)
+/* The words before a range, of which "even" and "odd" say something of its letter: 1, and -1, 1 in *parity, or 0; 0 and the error where other words stand there. */
+static int pass_words_before(cagd_reader *r, int *parity)
 {
-    const char *words = "";
-    int parity = 0;
-    do
-        parity = words != NULL && cagd_parity_of_words(words) != 0 ? cagd_parity_of_words(words) : parity;
-    while ((words = cagd_read_words(r)) != NULL || cagd_pass(r, "\\forall"));
-    return parity;
+    *parity = 0;
+    for (;;) {
+        const cagd_token *here = r->token;
+        const char *words = cagd_read_words(r);
+        if (words == NULL && !cagd_pass(r, "\\forall"))
+            return 1;
+        if (words == NULL)
+            continue;
+        if (!cagd_are_words_of_range(words)) {
+            r->token = here;
+            return cagd_refuse_words(r, words) != NULL;
+        }
+        *parity = cagd_parity_of_words(words) != 0 ? cagd_parity_of_words(words) : *parity;
+    }
 }
 
 /* That letter, which has its range, is even or odd. */
@@ -1092,6 +1253,23 @@ static int suppose_parity(cagd_reader *r, cagd_scope *scope, struct parity p)
     return cagd_suppose(scope, t);
 }
 
+/* x \ge 0 \text{ if } y \ge 0: bounds that hold under a condition are none; behind a range, n = 1, 2 \text{ if } y \ge 0, all of it is supposed. */
+static int refuse_condition_of_bounds(cagd_reader *r, const cagd_token *item)
+{
+    static const char *const words[] = {"if", "when", "provided", "as long as"};
+    const cagd_token *here = r->token;
+    const char *said = item != NULL && !cagd_begins_range(item) ? cagd_read_words(r) : NULL;
+    r->token = here;
+    for (size_t k = 0; said != NULL && k < sizeof words / sizeof *words; k++)
+        if (strncmp(said + strspn(said, " ~"), words[k], strlen(words[k])) == 0)
+            return cagd_refuse_token(
+                       r,
+                       "is what stands before '%s' supposed under that condition alone, or both? write 'and', or "
+                       "the condition in the formula",
+                       said) == NULL;
+    return 0;
+}
+
 static int ends_range(const cagd_token *t) { return t->kind == CAGD_TOKEN_END || strchr(",;.", t->word[0]) != NULL; }
 
 static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
@@ -1102,7 +1280,10 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     do {
         cagd_reading_error listed = {0};
         int from = r->token->from;
-        int parity = pass_words_before(r), behind = parity != 0 && ends_range(r->token), is_alone;
+        int parity, is_alone;
+        if (refuse_condition_of_bounds(r, first) || !pass_words_before(r, &parity))
+            return 0;
+        int behind = parity != 0 && ends_range(r->token);
         last = first, first = r->token;
         if (parity == 0 && cagd_next_is_parity(r)) {
             r->token++;
@@ -1121,10 +1302,11 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
                 continue;
         }
         cagd_share_value(r);
+        declare_degrees_ahead(r, scope, before);
         declare_ahead(r, scope, before, 0);
         int done = elements(r, scope, before, &listed);
         if (done < 0)
-            done = numbers(r, scope, before);
+            done = numbers(r, scope);
         if (done < 0)
             done = cagd_share_bounds(r) && chain(r, scope, before);
         if (!done && listed.from > r->error->from)
@@ -1135,7 +1317,7 @@ static int ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
     for (int k = 0; k < parities; k++)
         if (!suppose_parity(r, scope, said[k]))
             return 0;
-    return 1;
+    return cagd_restrict_to_ranges(r, scope, before);
 }
 
 int cagd_read_ranges(cagd_scope *scope, const char *text, int from, int to, cagd_reading_error *error)

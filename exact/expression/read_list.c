@@ -9,6 +9,7 @@
 #include "exact/expression/reader.h"
 #include "exact/words.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -261,6 +262,14 @@ alone:
     return 1;
 }
 
+int cagd_is_whole_in_long(const cagd_tree *t, long *value)
+{
+    if (t->kind != CAGD_NUMBER || !cagd_is_whole_q(t->number) || !mpz_fits_slong_p(mpq_numref(t->number.at)))
+        return 0;
+    *value = mpz_get_si(mpq_numref(t->number.at));
+    return 1;
+}
+
 int cagd_read_list(cagd_reader *r, const char *letter, cagd_list *list)
 {
     int is_clear = r->error->message[0] == '\0', read = read_list(r, letter, list);
@@ -283,6 +292,16 @@ int cagd_refuse_values(cagd_reader *r, const char *letter)
     return r->error->of_list = 1;
 }
 
+/* That t, which is made of the name, is a whole number: its floor is t. */
+static const cagd_tree *is_whole(cagd_reader *r, const cagd_tree *name, const cagd_tree *t)
+{
+    static const cagd_relation equal[] = {CAGD_EQUAL};
+    const cagd_tree *floor = t != NULL ? cagd_new_of(r, CAGD_FLOOR, name->from, 1, &t) : NULL;
+    return floor != NULL ? cagd_relate(r, name->from, 2, (const cagd_tree *[]){floor, t}, equal) : NULL;
+}
+
+const cagd_tree *cagd_is_whole(cagd_reader *r, const cagd_tree *name) { return is_whole(r, name, name); }
+
 const cagd_tree *cagd_is_in_list(cagd_reader *r, const cagd_tree *name, const cagd_list *list)
 {
     static const cagd_relation equal[] = {CAGD_EQUAL}, from_low[] = {CAGD_GREATER_OR_EQUAL},
@@ -302,14 +321,12 @@ const cagd_tree *cagd_is_in_list(cagd_reader *r, const cagd_tree *name, const ca
             r, list->high,
             "is this one of the numbers that the first ones go to by steps of %ld? that depends on the letters in it",
             list->step);
-    /* (name - low)/step is a whole number */
     const cagd_tree *minus = cagd_new_of(r, CAGD_NEGATIVE, name->from, 1, &list->low);
     const cagd_tree *above = cagd_new_of(r, CAGD_SUM, name->from, 2, (const cagd_tree *[]){name, minus});
     const cagd_tree *steps =
         cagd_new_of(r, CAGD_QUOTIENT, name->from, 2,
                     (const cagd_tree *[]){above, cagd_tree_number(list->step, name->from, name->to)});
-    const cagd_tree *whole = cagd_new_of(r, CAGD_FLOOR, name->from, 1, &steps);
-    one[1] = whole != NULL ? cagd_relate(r, name->from, 2, (const cagd_tree *[]){whole, steps}, equal) : NULL;
+    one[1] = is_whole(r, name, steps);
     return cagd_new_of(r, CAGD_ALL, name->from, 2, one);
 }
 
@@ -329,7 +346,11 @@ const cagd_tree *cagd_read_list_condition(cagd_reader *r)
         return NULL;
     const cagd_tree *name = cagd_read_name(r);
     r->token = at.token, r->nodes = at.nodes;
-    return name != NULL ? cagd_is_in_list(r, name, &list) : NULL;
+    const cagd_tree *is = name != NULL ? cagd_is_in_list(r, name, &list) : NULL;
+    const cagd_variable *v = name != NULL ? cagd_declared(r->scope, name->head) : NULL;
+    if (is == NULL || list.count > 0 || list.step > 1 || (v != NULL && v->whole && !cagd_is_bound(r, name->head)))
+        return is;
+    return cagd_new_of(r, CAGD_ALL, name->from, 2, (const cagd_tree *[]){is, is_whole(r, name, name)});
 }
 
 /* ---- even and odd -------------------------------------------------------------------------------------- */
@@ -346,6 +367,39 @@ int cagd_parity_of_words(const char *words)
             return k == 0 ? -1 : 1;
     }
     return 0;
+}
+
+int cagd_are_words_of_range(const char *words)
+{
+    static const char *const known[] = {"and",           "for",      "all",  "every", "each",     "any",
+                                        "where",         "with",     "if",   "when",  "whenever", "as long as",
+                                        "provided that", "provided", "even", "odd"};
+    for (;;) {
+        size_t k = 0, n = 0;
+        words += strspn(words, " ,.;:~\\\n");
+        if (*words == '\0')
+            return 1;
+        for (; k < sizeof known / sizeof *known; k++) {
+            n = strlen(known[k]);
+            if (tolower((unsigned char)words[0]) == known[k][0] && strncmp(words + 1, known[k] + 1, n - 1) == 0 &&
+                !isalpha((unsigned char)words[n]))
+                break;
+        }
+        if (k == sizeof known / sizeof *known)
+            return 0;
+        words += n;
+    }
+}
+
+cagd_tree *cagd_refuse_words(cagd_reader *r, const char *words)
+{
+    cagd_refuse_token(
+        r,
+        "'%s' is not understood before a range; expected 'for', 'for all', 'where', 'with', 'if', 'when', "
+        "'provided that', 'and', 'even' or 'odd'",
+        words);
+    r->error->of_words = 1;
+    return NULL;
 }
 
 /* The floor of half of it, twice, and one more where it is odd, is the number itself. */

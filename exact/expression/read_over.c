@@ -72,6 +72,7 @@ static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tr
 {
     struct by by[CAGD_MOST_INDICES] = {first};
     int count = 1, all = 0, sign;
+    enum { MOST_ORDER = 1000 };
     while ((sign = cagd_differential(r, r->token)) > 0) {
         if (count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "a derivative by more than %d letters", CAGD_MOST_INDICES);
@@ -82,9 +83,12 @@ static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tr
     for (int k = 0; k < count; k++) {
         if (by[k].order == NULL)
             by[k].order = cagd_tree_number(1, from, from);
+        long one;
         if (by[k].order == NULL || by[k].order->kind != CAGD_NUMBER)
             return cagd_refuse_token(r, "the orders of a mixed derivative are numbers");
-        all += (int)mpz_get_si(mpq_numref(by[k].order->number.at));
+        if (!cagd_is_whole_in_long(by[k].order, &one) || one < 0 || one > MOST_ORDER)
+            return cagd_refuse_token(r, "the orders of a mixed derivative are whole numbers up to %d", MOST_ORDER);
+        all += (int)one;
     }
     if (order == NULL || order->kind != CAGD_NUMBER || !cagd_equal_q(order->number, from_int_q(all)))
         return cagd_refuse_token(r, "the orders above and below are not the same");

@@ -462,6 +462,32 @@ static const cagd_token *without(cagd_reader *r, const cagd_token *from, const c
     return list;
 }
 
+/* Whether the token stands in a bracket that begins from `first` on. */
+static int is_inside(const cagd_token *first, const cagd_token *token)
+{
+    int depth = 0;
+    for (const cagd_token *t = first; t < token; t++)
+        depth += (strcmp(t->word, "(") == 0) - (strcmp(t->word, ")") == 0);
+    return depth > 0;
+}
+
+/* Whether there is another connective than "and" from `first` to `last`: what is said for all in a bracket is said so of that alone. */
+static int has_other_connective(const cagd_reader *r, const cagd_token *first, const cagd_token *last)
+{
+    static const char *const others[] = {"\\lor", "\\neg", "\\Rightarrow", "\\Leftarrow", "\\iff", "\\exists"};
+    cagd_reader at = *r;
+    for (at.token = first; at.token < last;) {
+        for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+            if (cagd_next_is(&at, others[k]))
+                return 1;
+        const char *said = cagd_read_words(&at);
+        if (said != NULL && !cagd_are_words_of_range(said))
+            return 1;
+        at.token += said == NULL;
+    }
+    return 0;
+}
+
 /* The first range of an index that stands in what is supposed, from `low` to `high`, and is about another part of it; its letter means nothing else, or, with
  * `known`, is a whole number that was declared.  NULL where there is none. */
 static const cagd_token *range_within(cagd_reader *r, int known, cagd_list *list, const cagd_token **from,
@@ -491,8 +517,18 @@ static const cagd_token *range_within(cagd_reader *r, int known, cagd_list *list
         *to += close;
         if (*from == first && strchr(",;", (*to)->word[0]) != NULL && (*to)->kind != CAGD_TOKEN_END)
             ++*to;
-        if (v != NULL || is_besides(t->word, first, last, *from, *to))
-            return t;
+        if (v == NULL && !is_besides(t->word, first, last, *from, *to))
+            continue;
+        if (is_inside(first, *from) && has_other_connective(r, first, last)) {
+            r->token = t;
+            cagd_refuse_token(
+                r,
+                "is the range of %s that of the bracket alone, or of all that is supposed? write \\forall %s "
+                "\\in \\{...\\}: before what it is of",
+                t->word, t->word);
+            return NULL;
+        }
+        return t;
     }
     return NULL;
 }
@@ -515,7 +551,7 @@ static int take_ranges(cagd_reader *r, int known, struct own_ranges *own)
         own->list[own->count] = range;
         r->bound = &own->letter[own->count++];
     }
-    return 1;
+    return r->error->message[0] == '\0';
 }
 
 enum { MOST_WRITTEN_OUT = 12 };
@@ -524,10 +560,10 @@ enum { MOST_WRITTEN_OUT = 12 };
 static const cagd_tree *for_all_of(cagd_reader *r, const cagd_tree *t, const char *letter, const cagd_list *range)
 {
     const cagd_tree *list[MOST_WRITTEN_OUT], *low = range->low, *high = range->high;
+    long first, last;
     if (range->count == 0 && range->step == 1 && low->kind == CAGD_NUMBER && high->kind == CAGD_NUMBER &&
-        cagd_is_whole_q(low->number) && cagd_is_whole_q(high->number)) {
-        long first = mpz_get_si(mpq_numref(low->number.at)), last = mpz_get_si(mpq_numref(high->number.at));
-        if (first <= last && last - first < MOST_WRITTEN_OUT) {
+        cagd_is_whole_in_long(low, &first) && cagd_is_whole_in_long(high, &last)) {
+        if (first <= last && (unsigned long)last - (unsigned long)first < MOST_WRITTEN_OUT) {
             for (long k = first; k <= last; k++)
                 list[k - first] = cagd_tree_with(t, letter, cagd_tree_number(k, low->from, low->to));
             return first == last ? list[0] : cagd_new_of(r, CAGD_ALL, t->from, (int)(last - first) + 1, list);

@@ -110,6 +110,17 @@ enum { CAGD_MOST_SHOWN = 8 };
 /* The list that comes next, of the numbers of that letter: 0, 1, \dots, n; 2, 4, \dots, 8; 0(2)8; 0, 2, 4.  1; 0 where there is one number alone, which is
  * read as its low end; -1 and an error. */
 int cagd_read_list(cagd_reader *r, const char *letter, cagd_list *list);
+/* Whether these words may stand before a range, or before what a definition is given for: "for all", "where", "even"; none, too. */
+int cagd_are_words_of_range(const char *words);
+/* That the words that come next are none of these: NULL. */
+cagd_tree *cagd_refuse_words(cagd_reader *r, const char *words);
+/* Behind a list of ranges, before which the scope was `before`: bounds and values are those of the indices of which the list speaks.  0 and the error
+ * where bounds for some indices do not go together with others. */
+int cagd_restrict_to_ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before);
+/* The condition that the name is a whole number. */
+const cagd_tree *cagd_is_whole(cagd_reader *r, const cagd_tree *name);
+/* Whether it is a whole number that fits. */
+int cagd_is_whole_in_long(const cagd_tree *t, long *value);
 /* That the name is one of them, as a condition; an error where that depends on what the letters in the ends are. */
 const cagd_tree *cagd_is_in_list(cagd_reader *r, const cagd_tree *name, const cagd_list *list);
 /* What is said of each number of the list in the place of the letter, or of one of them, as the kind of a quantifier has it. */

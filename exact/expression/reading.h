@@ -7,6 +7,7 @@
 typedef struct cagd_reading_error {
     int from, to; /* the bytes of the text that are meant */
     int of_list;  /* wrong in a list of numbers, which can be nothing else */
+    int of_words; /* words that are not understood before a range          */
     char message[240];
 } cagd_reading_error;
 

@@ -38,16 +38,12 @@ int cagd_put_key(char key[], int room, const cagd_tree *t, const long index[])
     return used;
 }
 
-/* Whether the declaration says anything of the name with these indices. */
-static int is_within(const cagd_variable *v, const long index[])
-{
-    return !v->some || (v->first <= index[0] && index[0] <= v->last);
-}
-
-const cagd_variable *cagd_declared_for(const cagd_scope *scope, const cagd_tree *t, const char *key, const long index[])
+const cagd_variable *cagd_declared_for(const cagd_scope *scope, const cagd_tree *t, const char *key, const long index[],
+                                       int (*is_for)(void *data, const cagd_variable *v, const long index[]),
+                                       void *data)
 {
     const cagd_variable *v = scope->variables;
-    while (v != NULL && strcmp(v->head, key) != 0 && (strcmp(v->head, t->head) != 0 || !is_within(v, index)))
+    while (v != NULL && strcmp(v->head, key) != 0 && (strcmp(v->head, t->head) != 0 || !is_for(data, v, index)))
         v = v->next;
     if (v == NULL || v->left == NULL || strcmp(v->head, key) == 0)
         return v;
@@ -256,17 +252,13 @@ static int has_real(const cagd_scope *scope, const cagd_tree *t)
 enum kind_of_number { IS_REAL, IS_WHOLE, IS_EITHER };
 
 /* What a variable with these bounds is, which is an index of a function.  Between 0 < q < 1 and 0 < q <= 1 there are not two whole numbers; 1/2 is no
- * end of an index.  0 <= i <= 1 are two by the letter; of 0 <= alpha <= 1 it is not known. */
+ * end of an index.  0 <= i <= 1 are two by the letter; of 0 <= alpha <= 1, and of 0 <= s <= 2 or 0 < s < 3, it is not known. */
 static enum kind_of_number kind_of(const cagd_scope *scope, const cagd_variable *v)
 {
-    static const char *const of_some[] = {"p", "s", "d", "e", "P", "Q", "S", "D", NULL}, *const up_to[] = {
-                                                                                             "q",       "\\mu",
-                                                                                             "\\nu",    "\\rho",
-                                                                                             "\\kappa", "\\sigma",
-                                                                                             "\\iota",  NULL};
+    static const char *const often_whole[] = {"p", "s", "d", "e", "P", "Q", "S", "D", NULL};
     cagd_num_q low, high;
     int has_low = is_number(v->low, &low), has_high = v->high != NULL && is_number(v->high, &high);
-    int is_usual = cagd_is_usual_index(v->head), is_strict = v->low_open || v->high_open;
+    int is_usual = cagd_is_usual_index(v->head);
     if ((has_low && !cagd_is_whole_q(low)) || (has_high && !cagd_is_whole_q(high)))
         return IS_REAL;
     if (has_low && has_high && cagd_sign_q(cagd_sub_q(high, low)) > 0) {
@@ -278,11 +270,7 @@ static enum kind_of_number kind_of(const cagd_scope *scope, const cagd_variable 
         return IS_WHOLE;
     if ((!has_low && has_real(scope, v->low)) || (v->high != NULL && !has_high && has_real(scope, v->high)))
         return IS_REAL;
-    int to_n = v->high != NULL && !has_high,
-        few = has_low && has_high && cagd_compare_q(cagd_sub_q(high, low), from_int_q(1)) <= 0;
-    if ((is_one_of(v->head, of_some) && !few) || (is_one_of(v->head, up_to) && to_n))
-        return IS_WHOLE;
-    return is_strict ? IS_REAL : IS_EITHER;
+    return (v->low_open || v->high_open) && !is_one_of(v->head, often_whole) ? IS_REAL : IS_EITHER;
 }
 
 static int become_whole(cagd_scope *scope, const cagd_variable *v)

@@ -31,7 +31,9 @@ typedef struct cagd_variable {
     const cagd_tree *const
         *listed; /* the whole numbers, one by one, or NULL; low and high are then the first and the last of the list */
     int listed_count;
-    int some; /* the bounds are those of the indices `first` to `last` alone, and others have those of an earlier declaration */
+    /* NULL, or for which indices the bounds are, a condition of the letters in `left`: the others have those of an earlier declaration. */
+    const cagd_tree *when;
+    int some; /* these are the whole numbers from `first` to `last` */
     long first, last;
     const struct cagd_variable *next;
 } cagd_variable;
@@ -49,9 +51,11 @@ typedef struct cagd_scope {
 /* The first definition of that name, the variable of that name; NULL if there is none. */
 const cagd_definition *cagd_defined(const cagd_scope *scope, const char *head);
 const cagd_variable *cagd_declared(const cagd_scope *scope, const char *head);
-/* The declaration of the name t with the indices of the key: that of it alone, or that of all, with its indices in the bounds; NULL if there is none. */
-const cagd_variable *cagd_declared_for(const cagd_scope *scope, const cagd_tree *t, const char *key,
-                                       const long index[]);
+/* The declaration of the name t with the indices of the key: that of it alone, or of those for which `is_for` says so, with its indices in the bounds;
+ * NULL if there is none. */
+const cagd_variable *cagd_declared_for(const cagd_scope *scope, const cagd_tree *t, const char *key, const long index[],
+                                       int (*is_for)(void *data, const cagd_variable *v, const long index[]),
+                                       void *data);
 /* The key of a name with these indices, "\omega_{12}^3"; the length that it would have, as snprintf. */
 int cagd_put_key(char key[], int room, const cagd_tree *t, const long index[]);
 /* The dimension of the vectors of that name; 0 where they are numbers, or where it is not known. */

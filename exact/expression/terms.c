@@ -18,6 +18,7 @@ void cagd_search_begin(cagd_search *s, const cagd_scope *scope, const char *n, i
 {
     *s = (cagd_search){.c = {.scope = scope, .in_field = 1, .steps = 100 * CAGD_USUAL_STEPS}, .from = from};
     s->n = variable_f("vn"), s->k = variable_f("vk"), s->j = variable_f("vj");
+    s->c.whole[0] = s->n, s->c.whole[1] = s->k, s->c.whole[2] = s->j, s->c.wholes = 3;
     s->c.divisor = s->divisor, s->c.most_divisors = CAGD_MOST_DIVISORS;
     variable_of(&s->c, n, s->n);
     variable_of(&s->c, "", s->k);

@@ -654,7 +654,7 @@ R(t) = \sin(\pi t) - t
         self.assertIn("write \\alpha = 0, 1, \\dots for the first, \\alpha \\in [a, b] for the second", r.stderr)
         let = "p_q(x) = x^2 + q(q-1)\n"
         for ranges, expected in (("0 < q < 1", "fails"), ("0 < q \\le 1", "fails"), ("q > 0", "fails"), ("q \\in [0,1]", "fails"), ("q \\ge 1", None), ("0 \\le q \\le 1", None),
-                                 ("n = 3, 0 \\le q \\le n", "holds")):
+                                 ("n = 3, 0 \\le q \\le n", None)):
             with self.subTest(ranges=ranges):
                 r = check(document("p_q(x) \\ge 0", ranges, let), "--json")
                 self.assertEqual(json.loads(r.stdout)["statements"][0]["verdict"] if r.returncode != 2 else None, expected)
@@ -662,6 +662,63 @@ R(t) = \sin(\pi t) - t
             self.assertEqual(verdict(f"p_{letter}(x) \\ge 0", f"0 \\le {letter} \\le 1", f"p_{letter}(x) = x^2 + {letter}({letter}-1)\n")["verdict"], "holds", letter)
         r = check(":::{let}\n0 \\le \\lambda \\le 1\nT_{\\lambda} = \\lambda\n:::\n:::{statement} s\n:printed: T_{\\lambda} \\ge 1/2\n:find: \\lambda\n:::\n")
         self.assertIn("It holds for 1/2 ≤ λ ≤ 1", r.stdout)
+
+    def test_bounds_and_values_of_some_indices(self):
+        """They are those of the indices of which the list speaks, wherever in it, and of no others: ranges, steps, even ones, several indices, bounds of an index, one element."""
+        let = "a_i, b_i, c_{ij} \\in \\mathbb{R}\n\\mathbf{p}_i \\in \\mathbb{R}^2\n"
+        for ranges, true, false in (
+                (r"a_n = 1, n = 2", "a_2 = 1", "a_0 = 1"), (r"n = 2, a_n = 1", "a_2 = 1", "a_0 = 1"), (r"a_k = 1, k = 2", "a_2 = 1", "a_0 = 1"), (r"a_i = 1, i = 2", "a_2 = 1", "a_0 = 1"),
+                (r"a_n \ge 0, n = 2", "a_2 \\ge 0", "a_0 \\ge 0"), (r"n = 2, a_n \ge 0", "a_2 \\ge 0", "a_0 \\ge 0"), (r"a_n \in [0,1], n = 2", "a_2 \\ge 0", "a_0 \\ge 0"), (r"a_0 = a_N = 1, N = 3", "a_3 = 1", "a_1 = 1"),
+                (r"a_0 = a_n = 1, n = 2..3", "a_n = a_0", "a_{n-1} = a_0"), (r"n = 2..3, a_0 = a_n = 1", "a_n = a_0", "a_{n-1} = a_0"), (r"a_n, b_n \ge 0, n = 2", r"a_2 + b_2 \ge 0", r"a_1 + b_1 \ge 0"),
+                (r"c_{nm} = 0, n = 1, m = 2", "c_{12} = 0", "c_{11} = 0"), (r"c_{in} = 0, n = 1, i = 0..2", "c_{21} = 0", "c_{12} = 0"), (r"\mathbf{p}_n = (1,2), n = 2", r"\mathbf{p}_2 = (1,2)", r"\mathbf{p}_0 = (1,2)"),
+                (r"a_i \ge 0, i = 0..4 \text{ even}", r"a_2 \ge 0", r"a_1 \ge 0"), (r"i = 0..4, a_i \ge 0, i \text{ even}", r"a_2 \ge 0", r"a_1 \ge 0"), (r"a_i = 0, i = 0..4 \text{ odd}", r"a_1 = 0", r"a_2 = 0"),
+                (r"a_i \ge 0, i = 0,1,\dots,n, n=2", r"a_2 \ge 0", r"a_3 \ge 0"), (r"a_i \ge 0, i = 0,\dots,n-1, n = 1..3", r"a_{n-1} \ge 0", r"a_n \ge 0"), (r"a_i \in [0,1], i=0,1,2", r"a_2 \ge 0", r"a_3 \ge 0"), (r"i=0,1,2, a_i \in [0,1]", r"a_2 \ge 0", r"a_3 \ge 0"),
+                (r"a_i \ge 0, 0 \le i \le 2", r"a_2 \ge 0", r"a_3 \ge 0"), (r"0 \le i \le 2, a_i \ge 0", r"a_2 \ge 0", r"a_3 \ge 0"), (r"a_i \ge 0, 0 < i < 3", r"a_2 \ge 0", r"a_3 \ge 0"), (r"a_i \ge 0, i \ge 1", r"a_1 \ge 0", r"a_0 \ge 0"),
+                (r"a_i = 0, 0 \le i \le 2", r"a_2 = 0", r"a_3 = 0"), (r"a_i \ge 0, i = 0, 2, 4", r"a_2 \ge 0", r"a_1 \ge 0"), (r"a_i \ge 0, i = 0(2)4", r"a_2 \ge 0", r"a_1 \ge 0"), (r"a_i \ge 0, i \in \{0, 1\}", r"a_1 \ge 0", r"a_2 \ge 0"),
+                (r"c_{ij} \ge 0, i = 0,1, j = 0,1", r"c_{11} \ge 0", r"c_{12} \ge 0"), (r"c_{ij} \ge 0, i < j", r"c_{12} \ge 0", r"c_{21} \ge 0"), (r"c_{ij} \ge 0, i = 0..3, j = i..3", r"c_{12} \ge 0", r"c_{21} \ge 0"), (r"a_i \ge 0, a_i \le 1, i = 0,1", r"a_1(1-a_1) \ge 0", r"a_2(1-a_2) \ge 0"),
+                (r"a_i \ge 0, i = 18446744073709551616..18446744073709551617", r"a_0^2 \ge 0", r"a_0 \ge 0")):
+            for printed, expected in ((true, "holds"), (false, "fails")):
+                with self.subTest(ranges=ranges, printed=printed):
+                    self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+        for lines, true, false in (("a_i \\ge 0, i = 0,1\na_i \\ge 1, i = 3,4\n", r"a_0 \ge 0, \quad a_3 \ge 1", r"a_0 \ge 1"), ("a_i \\ge 0\na_i \\le 1, i = 2..5\n", r"a_4(1-a_4) \ge 0", r"a_1 \le 1")):
+            for printed, expected in ((true, "holds"), (false, "fails")):
+                with self.subTest(lines=lines, printed=printed):
+                    self.assertEqual(verdict(printed, "n = 1", let + lines)["verdict"], expected)
+        for lines in ("a_i \\ge 0, i = 0..3\na_i \\le 1, i = 2..5", "a_i \\ge 0, i = 0,1\na_i \\le 1", "a_i \\ge 0, i = 0,1\na_7 \\le 1"):
+            with self.subTest(lines=lines):
+                self.assertIn("bounds of a_i for some indices and for others: of which are these?", check(document(r"a_7 \ge 0", "n = 1", let + lines)).stderr)
+
+    def test_an_index_that_is_no_whole_number(self):
+        """What is defined for i = 0, 1, or with 0 <= i <= 1, is not for alpha between; f(t) for t = 0, 1, 2 neither."""
+        for let in ("g_i(t) = i t, i = 0,1\n", "g_i(t) = i t, \\quad 0 \\le i \\le 1\n"):
+            for printed, ranges, expected in ((r"g_\alpha(1) = \alpha", r"\alpha \in [0,1]", "undecided"), (r"g_\alpha(1) = 0", r"\alpha \in (0,1)", "undecided"), ("g_i(1) = i", "i = 0..1", "holds"), ("g_i(1) = 0", "i = 0..1", "fails")):
+                with self.subTest(let=let, printed=printed):
+                    self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
+        let = "h(t) = t^2, t = 0,1,2\nh(t) = 0\n"
+        self.assertEqual([verdict(p, "n = 1", let)["verdict"] for p in ("h(1/2) = 0", "h(1/2) = 1/4", "h(2) = 4")], ["holds", "fails", "holds"])
+        for ranges in (r"0 \le s \le 2", r"0 < s < 3", r"0 \le s \le n, n = 1..3"):
+            self.assertIn("the index s has bounds and may be a whole number or a real one", check(document(r"g_s(1) \ne 1/2", ranges, "g_s(t) = s t")).stderr)
+        self.assertEqual(verdict(r"g_s(1) \ne 1/2", "s = 0..2", "g_s(t) = s t\n")["verdict"], "holds")
+
+    def test_definitions_that_wait_keep_their_order(self):
+        """However the name is written: the first that fits is taken."""
+        for first, second, name in ((r"\mathbf g_i", r"\mathbf g_i", r"\mathbf g_1"), (r"\mathbf{g}_i", r"\mathbf g_i", r"\mathbf g_1"), (r"\displaystyle g_i", "g_i", "g_1"), ("g_i", r"\displaystyle g_i", "g_1"), ("g_{i}", "g_i ", "g_1")):
+            with self.subTest(first=first, second=second):
+                let = f"{first}(t) = c t, \\quad i \\ge 1\n{second}(t) = t\nc = 2\n"
+                self.assertEqual([verdict(f"{name}(1) = {k}", "n = 1", let)["verdict"] for k in (2, 1)], ["holds", "fails"])
+        let = "\\begin{cases} g_i(t) = c t, \\quad i \\ge 1 \\\\ h_i(t) = t \\end{cases}\ng_i(t) = 0\nc = 2\n"
+        self.assertEqual(verdict("g_1(1) = 2", "n = 1", let)["verdict"], "holds")
+
+    def test_words_before_what_is_given(self):
+        """A definition for even numbers is one for these; words of other meaning are refused."""
+        let = "g_i(t) = t^2 \\text{ for even } i \\ge 2\ng_i(t) = t\n"
+        self.assertEqual([verdict(p, "n = 1", let)["verdict"] for p in ("g_2(2) = 4", "g_3(2) = 2", "g_0(2) = 2", "g_3(2) = 4")], ["holds", "holds", "holds", "fails"])
+        for word in ("unless", "only if", "except for", "but", "or", "implies"):
+            with self.subTest(word=word):
+                for text in (document(r"n x = n x \text{ %s } n = 1,2" % word, "x = 1"), document("x = x", r"x \ge 1 \text{ %s } y \ge 1" % word), document("x = x", "n = 1", r"h(t) = t^2 \text{ %s } t > 0" % word)):
+                    r = check(text)
+                    self.assertEqual(r.returncode, 2)
+                    self.assertIn(f"'{word}' is not understood before a range; expected 'for'", r.stderr)
 
     def test_definitions_of_functions(self):
         """An argument that is applied is a function: its definition is put in, and no letter is caught."""
@@ -1713,6 +1770,8 @@ class RowsAndLists(unittest.TestCase):
                 self.assertEqual([verdict(f"g_{i}(x) = {right}", "n = 1", let)["verdict"] for right in (expected, f"{expected} + 1")], ["holds", "fails"])
         self.assertIn("n = 2, 4, …, 8", verdict("(-x)^n = x^n", "n = 2, 4, \\dots, 8")["scope"])
         self.assertIn("n even", verdict("(-x)^n = x^n", "n = 1..8, n \\text{ even}")["scope"])
+        for ranges in ("n = 3, i = 0, 2, \\dots, n", "i = 0, 2, \\dots, n, n = 3"):
+            self.assertIn("the list of i goes from 0 by steps of 2: n = 3 is not reached", check(document("x_i = x_i", ranges)).stdout)
         for proposal, expected in (("m = 1, 2, \\dots, \\quad n = 2m", "holds"), ("m = 0, 1, \\dots, \\quad n = 2m + 1", "fails")):
             self.assertEqual(verdict("(-x)^n = x^n", proposal)["verdict"], expected)
 
