@@ -1213,7 +1213,7 @@ const cagd_tree *cagd_read_relations(cagd_reader *r)
 const cagd_tree *cagd_read_conditions(cagd_reader *r)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
-    int count = 0, from = r->token->from, more, by_sign = 1; /* by \land alone */
+    int count = 0, from = r->token->from, more, by_sign = 1, comma = -1; /* by_sign: by \land alone */
     do {
         const cagd_tree *t = cagd_share_bounds(r) ? cagd_read_condition(r) : NULL;
         if (t == NULL)
@@ -1237,10 +1237,13 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
                      r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
             more = 0;
         by_sign &= !more || strcmp(here->word, "\\land") == 0;
+        if (more && comma < 0 && strchr(",;", here->word[0]) != NULL)
+            comma = here->from;
     } while (more);
     cagd_tree *all = count > 1 ? (cagd_tree *)cagd_new_of(r, CAGD_ALL, from, count, list) : NULL;
     if (all != NULL)
         all->juxtaposed = by_sign;
+    r->comma = comma;
     return count == 1 ? list[0] : all;
 }
 

@@ -50,13 +50,28 @@ static int has_connective(const cagd_token *t)
     return 0;
 }
 
+/* A variable stands for all of its numbers, and \forall t \in [0,1]: A is read as t \in [0,1] \Rightarrow A for all t: so it says the same where it
+ * stands at the top, in a conjunct, or in a conclusion whose premise has no t.  Under "not" and "or", in a premise and beside \iff it does not,
+ * \neg (\forall t: A(t)) being other than \forall t: \neg A(t).  Whether such a quantifier was read from byte `from` on: then an error there. */
+static int refuse_ranged(cagd_reader *r, int from, const char *where)
+{
+    if (r->ranged == NULL || r->ranged->from < from || r->ranged->from >= r->token->from)
+        return 0;
+    r->token = r->ranged;
+    cagd_refuse_token(r,
+                      "for all numbers of an interval %s: this would be read as said of each number alone, and not of "
+                      "all of them together; such a quantifier stands around the whole statement, or in its conclusion",
+                      where);
+    return 1;
+}
+
 const cagd_tree *cagd_read_condition(cagd_reader *r)
 {
     int from = r->token->from, depth = r->depth;
     const cagd_token *here = r->token;
     if (cagd_pass(r, "\\neg")) {
         const cagd_tree *a = cagd_read_condition(r);
-        return a != NULL ? cagd_new_of(r, CAGD_NOT, from, 1, &a) : NULL;
+        return a != NULL && !refuse_ranged(r, from, "behind \\neg") ? cagd_new_of(r, CAGD_NOT, from, 1, &a) : NULL;
     }
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return cagd_read_truth(r);
@@ -90,14 +105,24 @@ const cagd_tree *cagd_read_alternatives(cagd_reader *r)
 {
     static const char *const words[] = {"or", NULL};
     const cagd_tree *list[CAGD_MOST_CHILDREN];
-    int count = 0, from = r->token->from;
+    int count = 0, from = r->token->from, comma = -1;
+    const cagd_token *first = r->token;
     do {
         if (count == CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
         list[count++] = cagd_read_conditions(r);
+        comma = comma < 0 ? r->comma : comma;
     } while (list[count - 1] != NULL && (cagd_pass(r, "\\lor") || pass_words(r, words)));
     if (list[count - 1] == NULL || count == 1)
         return list[count - 1];
+    if (comma >= 0) {
+        for (r->token = first; r->token->from < comma && r->token->kind != CAGD_TOKEN_END;)
+            r->token++;
+        return cagd_refuse_token(r, "a comma beside \"or\": (A, B) \\lor C, or A, (B \\lor C)? write the brackets, or \\land");
+    }
+    r->comma = -1;
+    if (refuse_ranged(r, from, "beside \"or\""))
+        return NULL;
     return cagd_new_of(r, CAGD_ANY, from, count, list);
 }
 
@@ -159,6 +184,7 @@ static int is_interval_ahead(const cagd_reader *r)
 static const cagd_tree *quantified(cagd_reader *r)
 {
     int from = r->token->from;
+    const cagd_token *sign = r->token;
     cagd_tree_kind kind = cagd_next_is(r, "\\forall") ? CAGD_FOR_ALL : CAGD_EXISTS;
     cagd_list list;
     r->token++;
@@ -169,7 +195,7 @@ static const cagd_tree *quantified(cagd_reader *r)
         if (!cagd_pass(r, ":") && !cagd_pass(r, ","))
             cagd_pass(r, ";");
         const cagd_tree *said = within != NULL ? cagd_read_truth(r) : NULL;
-        r->depth--;
+        r->depth--, r->ranged = sign;
         return said != NULL ? cagd_new_of(r, CAGD_IMPLIES, from, 2, (const cagd_tree *[]){within, said}) : NULL;
     }
     if (r->token->kind != CAGD_TOKEN_LETTER)
@@ -184,6 +210,8 @@ static const cagd_tree *quantified(cagd_reader *r)
     const cagd_tree *body = cagd_read_truth(r);
     r->bound = bound.next;
     r->depth--;
+    if (body != NULL && kind == CAGD_EXISTS && refuse_ranged(r, from, "behind \\exists"))
+        return NULL;
     return body != NULL ? cagd_over_list(r, kind, from, head, &list, body) : NULL;
 }
 
@@ -701,6 +729,50 @@ static int refuse_dots(cagd_reader *r, const cagd_token *first)
     return 1;
 }
 
+/* Whether a name that a quantifier over real numbers takes from `first` on, \forall x, y \in [0,1], stands in the premise, too: it is another x there. */
+static int refuse_taken_name(cagd_reader *r, const cagd_token *first, const cagd_tree *premise)
+{
+    for (const cagd_token *t = first; t < r->token; t++) {
+        cagd_reader at = *r;
+        const cagd_tree *name[MOST_NAMES];
+        int names, bracket;
+        cagd_reading_error none = {0};
+        at.error = &none, at.token = t + 1;
+        if (strcmp(t->word, "\\forall") != 0 || !is_interval_ahead(&at) || !read_names(&at, name, &names, &bracket))
+            continue;
+        for (int k = 0; k < names; k++)
+            if (cagd_tree_has(premise, name[k]->head)) {
+                r->token = t;
+                cagd_refuse_token(r, "%s stands in what is supposed, too: take another letter behind \\forall",
+                                  cagd_spelled(name[k]->head));
+                return 1;
+            }
+    }
+    return 0;
+}
+
+/* A \Rightarrow B, C \Rightarrow D: nobody knows whether C is said with B, or supposed for D. */
+static int refuse_two_arrows(cagd_reader *r, const cagd_token *first)
+{
+    const cagd_token *comma = NULL;
+    int depth = 0;
+    for (const cagd_token *t = first; t < r->token; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL || strcmp(t->word, "\\{") == 0) -
+                 (strchr(")}]", t->word[0]) != NULL || strcmp(t->word, "\\}") == 0);
+        if (depth == 0 && (strcmp(t->word, ",") == 0 || strcmp(t->word, ";") == 0))
+            comma = t;
+        int arrow = strcmp(t->word, "\\Rightarrow") == 0 || strcmp(t->word, "\\iff") == 0 ||
+                    strcmp(t->word, "\\Leftarrow") == 0;
+        if (depth == 0 && comma != NULL && arrow) {
+            r->token = comma;
+            cagd_refuse_token(r, "a comma between two implications: (A \\Rightarrow B), (C \\Rightarrow D), or A \\Rightarrow "
+                                 "((B, C) \\Rightarrow D)? write the brackets");
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* Whether what comes next is supposed, and what is said stands behind it. */
 static int is_supposed_first(const cagd_reader *r)
 {
@@ -732,6 +804,7 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     if (a == NULL)
         return NULL;
     second = r->token;
+    int comma = r->comma;
     cagd_pass(r, ",");
     int implies = pass_words(r, then_words);
     if (!implies)
@@ -741,8 +814,13 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
         return cagd_refuse_token(r, "expected \\text{then} behind what is supposed, not %s", cagd_name_of_next(r));
     int iff = !implies && (cagd_pass(r, "\\iff") || pass_words(r, iff_words)),
         implied = !implies && !iff && (how = pass_supposed(r)) != NOT_SUPPOSED;
+    r->comma = comma;
     if (!implies && !iff && !implied)
         return a;
+    if ((implies || iff) && refuse_ranged(r, from, implies ? "in a premise" : "beside \\iff"))
+        return NULL;
+    int of_all = implied && how == FOR_RANGES;
+    const cagd_token *sign = second;
     if (implied && only_names(r))
         return a;
     if ((implies || iff) && refuse_dots(r, first))
@@ -759,8 +837,13 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
                 return cagd_refuse_token(
                     r, "is the range of %s that of what is supposed alone? write it behind all, or in :for:", t->word);
             }
-    if (b == NULL || (!implies && refuse_dots(r, second)))
+    if (b == NULL || (!implies && refuse_dots(r, second)) ||
+        (implies && (refuse_taken_name(r, second, a) || refuse_two_arrows(r, second))) ||
+        (implied && refuse_ranged(r, second->from, "in what is supposed")) ||
+        (iff && refuse_ranged(r, from, "beside \\iff")))
         return NULL;
+    if (of_all)
+        r->ranged = sign;
     const cagd_tree *pair[2] = {implied ? b : a, implied ? a : b};
     return cagd_new_of(r, iff ? CAGD_IFF : CAGD_IMPLIES, from, 2, pair);
 }
