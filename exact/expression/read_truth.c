@@ -59,7 +59,7 @@ static int refuse_ranged(cagd_reader *r, int from, const char *where)
         return 0;
     r->token = r->ranged;
     cagd_refuse_token(r,
-                      "for all numbers of an interval %s: this would be read as said of each number alone, and not of "
+                      "what is said for all numbers of an interval stands %s: it would be read as said of each number alone, and not of "
                       "all of them together; such a quantifier stands around the whole statement, or in its conclusion",
                       where);
     return 1;
