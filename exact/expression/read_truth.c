@@ -150,8 +150,12 @@ const cagd_tree *cagd_over_list(cagd_reader *r, cagd_tree_kind kind, int from, c
     const cagd_tree *one[CAGD_MOST_CHILDREN], *low = list->low, *high = list->high;
     for (int k = 0; k < list->count; k++)
         one[k] = cagd_tree_with(body, letter, list->listed[k]);
-    if (list->count > 0)
-        return cagd_new_of(r, kind == CAGD_FOR_ALL ? CAGD_ALL : CAGD_ANY, from, list->count, one);
+    if (list->count > 0) { /* what one formula says of several numbers: no part of it is supposed for the others */
+        cagd_tree *all = (cagd_tree *)cagd_new_of(r, kind == CAGD_FOR_ALL ? CAGD_ALL : CAGD_ANY, from, list->count, one);
+        if (all != NULL)
+            all->juxtaposed = 1;
+        return all;
+    }
     if (list->step > 1) { /* low + step * k for k = 0, ..., (high - low)/step, the letter being k */
         cagd_tree *k = cagd_new(r, CAGD_NAME, from, 0);
         const cagd_tree *step = cagd_tree_number(list->step, from, low->to),
@@ -718,6 +722,22 @@ static const cagd_tree *supposed(cagd_reader *r, enum supposing how)
     return t;
 }
 
+/* The right side of \iff behind the left one: ranges of letters that stand in it alone, a = 0 \iff a_j = 0, j = 1, 2, are its own. */
+static const cagd_tree *right_side(cagd_reader *r, const cagd_tree *left)
+{
+    struct own_ranges own;
+    const struct cagd_bound *outside = r->bound;
+    const cagd_token *here = r->token;
+    if (!take_ranges(r, 0, &own))
+        return NULL;
+    for (int k = 0; k < own.count; k++)
+        if (cagd_tree_has(left, own.letter[k].head))
+            own.count = 0, r->token = here, r->bound = outside;
+    const cagd_tree *t = for_own_ranges(r, cagd_read_alternatives(r), &own);
+    r->bound = outside;
+    return t;
+}
+
 /* Dots that leave members of a chain out, between `first` and here: of what is supposed every one is needed. */
 static int refuse_dots(cagd_reader *r, const cagd_token *first)
 {
@@ -763,7 +783,13 @@ static int refuse_two_arrows(cagd_reader *r, const cagd_token *first)
             comma = t;
         int arrow = strcmp(t->word, "\\Rightarrow") == 0 || strcmp(t->word, "\\iff") == 0 ||
                     strcmp(t->word, "\\Leftarrow") == 0;
-        if (depth == 0 && comma != NULL && arrow) {
+        if (depth == 0 && comma == NULL && arrow) {
+            r->token = t;
+            cagd_refuse_token(r, "two arrows: A \\Rightarrow (B \\Rightarrow C), or A \\Rightarrow B and B \\Rightarrow C? "
+                                 "write the brackets");
+            return 1;
+        }
+        if (depth == 0 && arrow) {
             r->token = comma;
             cagd_refuse_token(r, "a comma between two implications: (A \\Rightarrow B), (C \\Rightarrow D), or A \\Rightarrow "
                                  "((B, C) \\Rightarrow D)? write the brackets");
@@ -829,7 +855,7 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     b = implies                  ? cagd_read_truth(r)
         : implied                ? supposed(r, how)
         : cagd_next_is_member(r) ? cagd_read_members(r)
-                                 : cagd_read_alternatives(r);
+                                 : right_side(r, a);
     for (int k = 0; b == NULL && k < own.count; k++) /* a_j = 0, j = 1, 2 \Rightarrow b_j = 0 */
         for (const cagd_token *t = second; t->kind != CAGD_TOKEN_END; t++)
             if (t->from == r->error->from && strcmp(t->word, own.letter[k].head) == 0) {
