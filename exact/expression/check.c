@@ -402,7 +402,8 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
         return;
     if (second->answer == CAGD_FAILS && parts.conditioned) { /* more is supposed than was */
         *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = parts.where};
-        out->why = "it fails if this is supposed for one index each time: for all of them that have the condition write a list";
+        out->why = "it fails if this is supposed for one index each time: for all of them that have the condition "
+                   "write a list";
         return;
     }
     if (second->answer == CAGD_FAILS ||

@@ -1361,7 +1361,8 @@ static const cagd_tree *read_rows_apart(cagd_reader *r)
             unclear = t;
         if (unclear != NULL) {
             r->token = unclear;
-            return cagd_refuse_token(r, "does this reach over its own row, or over others, too? write a statement for each");
+            return cagd_refuse_token(
+                r, "does this reach over its own row, or over others, too? write a statement for each");
         }
         cagd_reader row = *r;
         cagd_token *own = cagd_region_array((int)(end - t) + 1, 1, sizeof *own);

@@ -59,7 +59,8 @@ static int refuse_ranged(cagd_reader *r, int from, const char *where)
         return 0;
     r->token = r->ranged;
     cagd_refuse_token(r,
-                      "what is said for all numbers of an interval stands %s: it would be read as said of each number alone, and not of "
+                      "what is said for all numbers of an interval stands %s: it would be read as said of each number "
+                      "alone, and not of "
                       "all of them together; such a quantifier stands around the whole statement, or in its conclusion",
                       where);
     return 1;
@@ -118,7 +119,8 @@ const cagd_tree *cagd_read_alternatives(cagd_reader *r)
     if (comma >= 0) {
         for (r->token = first; r->token->from < comma && r->token->kind != CAGD_TOKEN_END;)
             r->token++;
-        return cagd_refuse_token(r, "a comma beside \"or\": (A, B) \\lor C, or A, (B \\lor C)? write the brackets, or \\land");
+        return cagd_refuse_token(
+            r, "a comma beside \"or\": (A, B) \\lor C, or A, (B \\lor C)? write the brackets, or \\land");
     }
     r->comma = -1;
     if (refuse_ranged(r, from, "beside \"or\""))
@@ -151,7 +153,8 @@ const cagd_tree *cagd_over_list(cagd_reader *r, cagd_tree_kind kind, int from, c
     for (int k = 0; k < list->count; k++)
         one[k] = cagd_tree_with(body, letter, list->listed[k]);
     if (list->count > 0) { /* what one formula says of several numbers: no part of it is supposed for the others */
-        cagd_tree *all = (cagd_tree *)cagd_new_of(r, kind == CAGD_FOR_ALL ? CAGD_ALL : CAGD_ANY, from, list->count, one);
+        cagd_tree *all =
+            (cagd_tree *)cagd_new_of(r, kind == CAGD_FOR_ALL ? CAGD_ALL : CAGD_ANY, from, list->count, one);
         if (all != NULL)
             all->juxtaposed = 1;
         return all;
@@ -785,14 +788,16 @@ static int refuse_two_arrows(cagd_reader *r, const cagd_token *first)
                     strcmp(t->word, "\\Leftarrow") == 0;
         if (depth == 0 && comma == NULL && arrow) {
             r->token = t;
-            cagd_refuse_token(r, "two arrows: A \\Rightarrow (B \\Rightarrow C), or A \\Rightarrow B and B \\Rightarrow C? "
-                                 "write the brackets");
+            cagd_refuse_token(
+                r, "two arrows: A \\Rightarrow (B \\Rightarrow C), or A \\Rightarrow B and B \\Rightarrow C? "
+                   "write the brackets");
             return 1;
         }
         if (depth == 0 && arrow) {
             r->token = comma;
-            cagd_refuse_token(r, "a comma between two implications: (A \\Rightarrow B), (C \\Rightarrow D), or A \\Rightarrow "
-                                 "((B, C) \\Rightarrow D)? write the brackets");
+            cagd_refuse_token(
+                r, "a comma between two implications: (A \\Rightarrow B), (C \\Rightarrow D), or A \\Rightarrow "
+                   "((B, C) \\Rightarrow D)? write the brackets");
             return 1;
         }
     }
