@@ -241,17 +241,69 @@ static int is_running(const cagd_scope *scope, const cagd_variable *v)
     return is;
 }
 
-/* t, which is supposed, for all values of the running letters that are indices in it and, where `said` is no NULL, do not stand in that. */
-static const cagd_tree *for_every_letter(const cagd_scope *scope, const cagd_tree *t, const cagd_tree *said)
+static const cagd_tree *new_of(cagd_tree_kind kind, int count, const cagd_tree *const child[])
+{
+    cagd_tree *t = cagd_tree_new(kind, child[0]->from, child[0]->to, count);
+    for (int k = 0; t != NULL && k < count; k++)
+        if ((t->at[k] = child[k]) == NULL)
+            return NULL;
+    return t;
+}
+
+/* t for low, low + step, ..., high, for the numbers that are listed, or for all from low to high, in the place of the letter of v; NULL without memory. */
+static const cagd_tree *for_members(const cagd_tree *t, const cagd_variable *v)
+{
+    const cagd_tree *one[CAGD_MOST_CHILDREN], *low = v->low, *high = v->high;
+    for (int k = 0; v->listed != NULL && k < v->listed_count && k < CAGD_MOST_CHILDREN; k++)
+        one[k] = cagd_tree_with(t, v->head, v->listed[k]);
+    if (v->listed != NULL)
+        return v->listed_count <= CAGD_MOST_CHILDREN ? new_of(CAGD_ALL, v->listed_count, one) : NULL;
+    if (v->step > 1) { /* low + step k for k = 0, ..., (high - low)/step, the letter being k */
+        cagd_tree *k = cagd_tree_new(CAGD_NAME, t->from, t->to, 0);
+        const cagd_tree *step = cagd_tree_number(v->step, t->from, t->to), *minus = new_of(CAGD_NEGATIVE, 1, &low);
+        if (k == NULL || step == NULL || minus == NULL)
+            return NULL;
+        k->head = v->head;
+        const cagd_tree *steps = new_of(CAGD_PRODUCT, 2, (const cagd_tree *[]){step, k});
+        const cagd_tree *member = new_of(CAGD_SUM, 2, (const cagd_tree *[]){low, steps});
+        const cagd_tree *length = new_of(CAGD_SUM, 2, (const cagd_tree *[]){high, minus});
+        t = member != NULL ? cagd_tree_with(t, v->head, member) : NULL;
+        high = length != NULL ? new_of(CAGD_QUOTIENT, 2, (const cagd_tree *[]){length, step}) : NULL;
+        low = t != NULL ? cagd_tree_number(0, t->from, t->to) : NULL;
+    }
+    if (t == NULL || low == NULL || high == NULL)
+        return NULL;
+    cagd_tree *all = cagd_tree_new(CAGD_FOR_ALL, t->from, t->to, 3);
+    if (all != NULL)
+        all->head = v->head, all->at[0] = low, all->at[1] = high, all->at[2] = t;
+    return all;
+}
+
+/* Whether something is supposed of the letter, i \text{ even}. */
+static int has_condition(const cagd_scope *scope, const char *letter)
+{
+    int has = 0;
+    for (int k = 0; k < scope->condition_count; k++)
+        has |= cagd_tree_has(scope->conditions[k], letter);
+    return has;
+}
+
+/* t, which is supposed, for all values of the running letters that are indices in it and, where `said` is no NULL, do not stand in that.  A letter of which
+ * something is supposed is left as it is, and told in *conditioned; where that is NULL, t is supposed for its whole range. */
+static const cagd_tree *for_every_letter(const cagd_scope *scope, const cagd_tree *t, const cagd_tree *said,
+                                         int *conditioned)
 {
     for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
         if (!is_running(scope, v) || !is_index_in(t, v->head, 0) ||
             (said != NULL && cagd_depends_on(scope, said, v->head)))
             continue;
-        cagd_tree *all = cagd_tree_new(CAGD_FOR_ALL, t->from, t->to, 3);
+        if (conditioned != NULL && has_condition(scope, v->head)) {
+            *conditioned = 1;
+            continue;
+        }
+        const cagd_tree *all = for_members(t, v);
         if (all == NULL)
             return t;
-        all->head = v->head, all->at[0] = v->low, all->at[1] = v->high, all->at[2] = t;
         t = all;
     }
     return t;
@@ -262,6 +314,7 @@ struct parts {
     const cagd_tree *where, *supposed,
         *statement;         /* the first that is no range, or else the first; all of them; what the statement is then */
     int are_ranges, bounds; /* bounds: nothing else is said */
+    int conditioned;        /* it is supposed of an index that has conditions, for each of its values alone */
 };
 
 /* The statement, "A, \quad u + v = 1", or "A, \quad u + v = 1, \quad x \in [0,1]", with the parts of plain names supposed; 0 where there are none. */
@@ -302,7 +355,7 @@ static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct par
         return 0;
     out->are_ranges &= !out->bounds;
     for (int k = 0; k < supposed->count; k++)
-        supposed->at[k] = for_every_letter(scope, supposed->at[k], said);
+        supposed->at[k] = for_every_letter(scope, supposed->at[k], said, &out->conditioned);
     out->supposed = supposed->count == 1 ? supposed->at[0] : supposed;
     both->at[0] = premise, both->at[1] = out->supposed;
     implication->at[0] = premise != NULL ? both : out->supposed;
@@ -318,7 +371,7 @@ static int fails_for_one_alone(const cagd_scope *scope, const cagd_tree *t, doub
         return 0;
     cagd_tree *other = cagd_tree_new(CAGD_IMPLIES, t->from, t->to, 2);
     cagd_finding *second = region_bytes(sizeof *second);
-    const cagd_tree *supposed = for_every_letter(scope, t->at[0], NULL);
+    const cagd_tree *supposed = for_every_letter(scope, t->at[0], NULL, NULL);
     if (other == NULL || second == NULL || supposed == t->at[0])
         return 0;
     other->at[0] = supposed, other->at[1] = t->at[1];
@@ -347,6 +400,12 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
     check(scope, parts.statement, seconds, 0, second);
     if (second->answer == CAGD_FAILS && parts.bounds)
         return;
+    if (second->answer == CAGD_FAILS && parts.conditioned) { /* more is supposed than was */
+        *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = parts.where};
+        out->why = "it fails if this is supposed for one index each time: for all of them that have the condition "
+                   "write a list";
+        return;
+    }
     if (second->answer == CAGD_FAILS ||
         parts.are_ranges) { /* in both readings, with numbers that satisfy what can be a condition */
         *out = *second;

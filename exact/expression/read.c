@@ -857,11 +857,44 @@ const cagd_tree *cagd_power_of(cagd_reader *r, const cagd_tree *t, const cagd_tr
     return n == 1 ? t : cagd_new_of(r, CAGD_POWER, from, 2, (const cagd_tree *[]){t, power});
 }
 
+/* Whether {(j)} comes next: an order of a derivative, and no power. */
+static int order_in_brackets_follows(const cagd_reader *r)
+{
+    const cagd_token *t = r->token + 1;
+    int depth = 0;
+    if (!cagd_next_is(r, "{") || strcmp(t->word, "(") != 0)
+        return 0;
+    do
+        depth += (strcmp(t->word, "(") == 0) - (strcmp(t->word, ")") == 0);
+    while (depth > 0 && (++t)->kind != CAGD_TOKEN_END);
+    return depth == 0 && strcmp(t[1].word, "}") == 0;
+}
+
+/* {B_i^n}^{(j)}(t): the derivative of that order of the function t, with its arguments, if they follow. */
+static const cagd_tree *with_order(cagd_reader *r, const cagd_tree *t)
+{
+    enum { BRACKETS = 2 };
+    r->token += BRACKETS;
+    const cagd_tree *order = cagd_read_sum(r);
+    if (order == NULL || !cagd_expect(r, ")", "the order of the derivative") || !cagd_expect(r, "}", "the order"))
+        return NULL;
+    cagd_tree *whole = cagd_new(r, CAGD_NAME, t->from, t->count);
+    if (whole == NULL)
+        return NULL;
+    const cagd_tree **at = whole->at;
+    *whole = *t, whole->at = at, whole->times = order, whole->to = r->token[-1].to;
+    for (int k = 0; k < t->count; k++)
+        at[k] = t->at[k];
+    return cagd_read_primed_group(r, whole);
+}
+
 /* t with what stands behind ^. */
 static const cagd_tree *powered(cagd_reader *r, const cagd_tree *t, int from)
 {
     if (t->dimension > 0 && cagd_pass_transposed(r))
         return cagd_transposed(r, t);
+    if (cagd_is_bare_function(r, t) && t->times == NULL && order_in_brackets_follows(r))
+        return with_order(r, t);
     const cagd_tree *power = cagd_read_argument(r, 1);
     if (power != NULL && cagd_is_bare_function(r, t) && (t = cagd_read_primed_group(r, t)) == NULL) /* {f'}^2(t) */
         return NULL;
@@ -1213,7 +1246,7 @@ const cagd_tree *cagd_read_relations(cagd_reader *r)
 const cagd_tree *cagd_read_conditions(cagd_reader *r)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
-    int count = 0, from = r->token->from, more, by_sign = 1; /* by \land alone */
+    int count = 0, from = r->token->from, more, by_sign = 1, comma = -1; /* by_sign: by \land alone */
     do {
         const cagd_tree *t = cagd_share_bounds(r) ? cagd_read_condition(r) : NULL;
         if (t == NULL)
@@ -1237,10 +1270,13 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
                      r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
             more = 0;
         by_sign &= !more || strcmp(here->word, "\\land") == 0;
+        if (more && comma < 0 && strchr(",;", here->word[0]) != NULL)
+            comma = here->from;
     } while (more);
     cagd_tree *all = count > 1 ? (cagd_tree *)cagd_new_of(r, CAGD_ALL, from, count, list) : NULL;
     if (all != NULL)
         all->juxtaposed = by_sign;
+    r->comma = comma;
     return count == 1 ? list[0] : all;
 }
 
@@ -1267,12 +1303,101 @@ const cagd_tree *cagd_read_value(const cagd_scope *scope, const char *text, int 
     return t != NULL && at_the_end(&r) ? t : NULL;
 }
 
+/* ---- rows ------------------------------------------------------------------------------------------------ */
+
+/* Whether a break of a row stands right before the token. */
+static int is_behind_break(const cagd_reader *r, const cagd_token *first, const cagd_token *t)
+{
+    for (int k = t > first ? t[-1].to : t->from; k + 1 < t->from; k++)
+        if (r->text[k] == '\\' && r->text[k + 1] == '\\')
+            return 1;
+    return 0;
+}
+
+/* The first sign or word of the row at t that reaches beyond a relation: an arrow, "or", a quantifier, "for"; those that begin a row of their own, with
+ * `alone`, or the others; NULL where there is none. */
+static const cagd_token *reaching(const cagd_reader *r, const cagd_token *t, int alone)
+{
+    static const char *const words[] = {"\\lor", "\\Rightarrow", "\\Leftarrow", "\\iff", "\\forall", "\\exists"};
+    const cagd_token *first = r->token;
+    cagd_reader at = *r;
+    for (at.token = t; at.token->kind != CAGD_TOKEN_END && at.token->kind != CAGD_TOKEN_ROW;) {
+        const cagd_token *here = at.token;
+        const char *said = cagd_read_words(&at);
+        int is = said != NULL && strncmp(said, "and", 3) != 0 && strspn(said, " ,.;~") < strlen(said);
+        for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+            is |= strcmp(here->word, words[k]) == 0;
+        if (is && is_behind_break(r, first, here) == alone && (!alone || here > t))
+            return here;
+        at.token += said == NULL;
+    }
+    return NULL;
+}
+
+static const cagd_token *end_of_row(const cagd_token *t)
+{
+    while (t->kind != CAGD_TOKEN_END && t->kind != CAGD_TOKEN_ROW)
+        t++;
+    return t;
+}
+
+/* Whether some row has an arrow, "for" and the like: these reach over that row alone. */
+static int are_read_apart(const cagd_reader *r)
+{
+    const cagd_token *t = r->token, *end = end_of_row(t);
+    int is = 0;
+    for (; end->kind == CAGD_TOKEN_ROW || (t != r->token && t->kind != CAGD_TOKEN_END); t = end, end = end_of_row(t)) {
+        is |= reaching(r, t, 0) != NULL;
+        end += end->kind == CAGD_TOKEN_ROW;
+    }
+    return is;
+}
+
+/* Rows, each of them read as if it stood alone. */
+static const cagd_tree *read_rows_apart(cagd_reader *r)
+{
+    const cagd_tree *list[CAGD_MOST_CHILDREN];
+    const cagd_token *t = r->token, *unclear;
+    int count = 0, from = t->from;
+    for (const cagd_token *end; t != NULL; t = end->kind == CAGD_TOKEN_ROW ? end + 1 : NULL) {
+        end = end_of_row(t);
+        unclear = reaching(r, t, 1);
+        if (end->kind == CAGD_TOKEN_ROW && (strcmp(t->word, "\\forall") == 0 || strcmp(t->word, "\\exists") == 0))
+            unclear = t;
+        if (unclear != NULL) {
+            r->token = unclear;
+            return cagd_refuse_token(
+                r, "does this reach over its own row, or over others, too? write a statement for each");
+        }
+        cagd_reader row = *r;
+        cagd_token *own = cagd_region_array((int)(end - t) + 1, 1, sizeof *own);
+        if (own == NULL)
+            return cagd_refuse_token(r, "there is no memory for the formula");
+        memcpy(own, t, (size_t)(end - t) * sizeof *own);
+        own[end - t] = (cagd_token){CAGD_TOKEN_END, "", end->from, end->to};
+        row.token = own;
+        const cagd_tree *said = cagd_read_for_all_numbers(&row);
+        if (said == NULL || !at_the_end(&row))
+            return NULL;
+        r->nodes = row.nodes;
+        const cagd_tree *const *parts = said->kind == CAGD_ALL ? said->at : &said;
+        int several = said->kind == CAGD_ALL ? said->count : 1;
+        if (count + several > CAGD_MOST_CHILDREN)
+            return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
+        for (int k = 0; k < several; k++)
+            list[count++] = parts[k];
+    }
+    return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
+}
+
 const cagd_tree *cagd_read_statement(const cagd_scope *scope, const char *text, int from, int to,
                                      cagd_reading_error *error)
 {
     cagd_reader r;
     if (!cagd_reader_open(&r, scope, text, from, to, error))
         return NULL;
+    if (are_read_apart(&r))
+        return read_rows_apart(&r);
     const cagd_tree *t = cagd_read_for_all_numbers(&r);
     return t != NULL && at_the_end(&r) ? t : NULL;
 }

@@ -140,6 +140,21 @@ static const cagd_tree *changed(struct change *c, const cagd_tree *t)
     return copy;
 }
 
+/* -3, 1/2: a number that is written with signs, as one node; t itself where it is none. */
+static const cagd_tree *as_number(const cagd_tree *t)
+{
+    if ((t->kind != CAGD_NEGATIVE && t->kind != CAGD_QUOTIENT) || t->count < 1 || t->count > 2)
+        return t;
+    const cagd_tree *part[2] = {as_number(t->at[0]), t->count == 2 ? as_number(t->at[1]) : NULL};
+    int is = part[0]->kind == CAGD_NUMBER && (t->kind == CAGD_NEGATIVE ? t->count == 1 : t->count == 2) &&
+             (part[1] == NULL || (part[1]->kind == CAGD_NUMBER && !cagd_is_zero_q(part[1]->number)));
+    cagd_tree *copy = is ? cagd_tree_new(CAGD_NUMBER, t->from, t->to, 0) : NULL;
+    if (copy == NULL)
+        return t;
+    copy->number = part[1] == NULL ? cagd_neg_q(part[0]->number) : cagd_div_q(part[0]->number, part[1]->number);
+    return copy;
+}
+
 /* Whether it can stand for a function of so many arguments. */
 static int is_function_of(cagd_reader *r, const cagd_tree *t, int arity)
 {
@@ -166,8 +181,8 @@ const cagd_tree *cagd_put_in_functional(cagd_reader *r, const cagd_definition *d
         return cagd_refuse_tree(r, t, "%s is of functions: write its derivative as \\frac{d}{dx}", name);
     for (int k = 0; k < t->count; k++) {
         int is_function = d->functions >> k & 1;
-        given[k] = t->at[k];
-        if (is_function && !is_function_of(r, t->at[k], d->arity))
+        given[k] = is_function ? as_number(t->at[k]) : t->at[k];
+        if (is_function && !is_function_of(r, given[k], d->arity))
             return cagd_refuse_tree(
                 r, t->at[k],
                 "%s of %s is a function: write the name of one of %d argument%s, such as e_1 behind "

@@ -198,6 +198,16 @@ static long step_in_brackets(const cagd_token *t)
     return t[3].kind == CAGD_TOKEN_NUMBER || t[3].kind == CAGD_TOKEN_LETTER ? atol(t[1].word) : 0;
 }
 
+/* Whether each of them is a number more or less than the one before it. */
+static int differ_by_numbers(const cagd_tree *const at[], int count)
+{
+    long unused;
+    for (int k = 0; k + 1 < count; k++)
+        if (!cagd_difference_is_number(at[k], at[k + 1], &unused))
+            return 0;
+    return 1;
+}
+
 static int read_list(cagd_reader *r, const char *letter, cagd_list *list)
 {
     const cagd_tree *at[CAGD_MOST_CHILDREN];
@@ -226,14 +236,11 @@ static int read_list(cagd_reader *r, const char *letter, cagd_list *list)
         if (at[count] == NULL || (count++, !cagd_pass(r, ",")))
             break;
         if (cagd_pass(r, "\\dots")) {
-            long unused;
-            for (int k = 0; k + 1 < count; k++)
-                if (!cagd_difference_is_number(at[k], at[k + 1], &unused))
-                    goto alone;
-            return read_last(r, list, letter, at, count);
+            if (differ_by_numbers(at, count))
+                return read_last(r, list, letter, at, count);
+            break;
         }
     }
-alone:
     r->token = behind, r->depth = depth, count = 1;
     *r->error = (cagd_reading_error){0};
     while (is_number && cagd_next_is(r, ",") && count < CAGD_MOST_CHILDREN) {

@@ -69,6 +69,28 @@ static int is_formula(const cagd_token *t, const cagd_token *stop)
     return 0;
 }
 
+/* Whether a round bracket with a relation in it stands at t: (x \ge 0). */
+static int is_condition(const cagd_token *t)
+{
+    int depth = is_word(t, "(");
+    for (t += depth; depth > 0 && t->kind != CAGD_TOKEN_END; depth += change_of_depth(t), t++)
+        if (depth == 1 && is_relation(t))
+            return 1;
+    return 0;
+}
+
+/* Whether the row at t, up to `stop`, begins with + or - and has a relation: a formula of its own where that stands behind an &, -x &= 0, and unclear
+ * without one; behind a formula without a relation, and where the & stands before the sign, it goes on. */
+enum signed_row { NO_SIGNED_ROW, SIGNED_FORMULA, UNCLEAR_SIGN };
+static enum signed_row of_signed_row(const cagd_token *t, const cagd_token *stop)
+{
+    if ((!is_word(t, "+") && !is_word(t, "-")) || !is_formula(t, stop))
+        return NO_SIGNED_ROW;
+    while (!is_relation(t) && !is_word(t, "&"))
+        t++;
+    return is_word(t, "&") ? SIGNED_FORMULA : UNCLEAR_SIGN;
+}
+
 /* Whether the row at t begins with a sign, a relation or a word that goes on with what is before it. */
 static int goes_on_by_sign(const cagd_token *t)
 {
@@ -99,21 +121,39 @@ static const cagd_token *end_of_rows(const cagd_token *t)
     return t;
 }
 
-/* The rows from `first` to `end` go to `to` with commas between; what is behind them comes out.  Where they are in no environment, a row that neither has a
- * relation nor begins with a sign is left as it is. */
+/* Whether the & at s begins a column of its own behind a formula: x^2 = x & x \ge 0. */
+static int is_other_column(const cagd_token *s, const cagd_token *end, const cagd_token *before)
+{
+    return !ends_open(before) && s + 1 < end && !is_word(s + 1, "\\\\") && !is_word(s + 1, "&") &&
+           !goes_on_by_sign(s + 1) && !is_condition(s + 1);
+}
+
+/* The rows from `first` to `end` go to `to` with commas between; what is behind them comes out.  A row that neither has a relation nor begins with a sign,
+ * and a column behind a formula, are left as they are, and refused where they are read: they would be factors. */
 static cagd_token *put_rows(cagd_token *to, const cagd_token *start, const cagd_token *first, const cagd_token *end,
                             int is_environment)
 {
-    int groups = 0, brackets = 0;
+    int groups = 0, brackets = 0, related = 0; /* related: the row has a relation */
     for (const cagd_token *s = first; s < end; s++) {
         int is_break = groups == 0 && is_word(s, "\\\\");
-        if (is_break && brackets == 0 && s + 1 < end && to > start && !ends_open(to - 1) && !goes_on(s + 1, end, first))
-            *to++ = (cagd_token){CAGD_TOKEN_SIGN, ",", s->from, s->to};
+        int is_row = is_break && brackets == 0 && s + 1 < end && to > start;
+        enum signed_row sign = is_row && related ? of_signed_row(s + 1, end) : NO_SIGNED_ROW;
+        int begins = is_row && (sign == SIGNED_FORMULA || !goes_on(s + 1, end, first));
+        if (begins && !ends_open(to - 1))
+            *to++ = (cagd_token){CAGD_TOKEN_ROW, ",", s->from, s->to};
         if (is_break && brackets == 0 && to > start && is_word(to - 1, ";"))
             to[-1].word = ",";
-        int stays = is_break && !is_environment && !(to > start && is_word(to - 1, ",")) && !goes_on_by_sign(s + 1);
-        if ((is_break && !stays) || (groups == 0 && is_word(s, "&")))
+        if (begins && is_word(to - 1, ","))
+            to[-1].kind = CAGD_TOKEN_ROW, related = 0;
+        int stays = is_break && !(is_environment && s + 1 == end) && !(to > start && is_word(to - 1, ",")) &&
+                    (!goes_on_by_sign(s + 1) || sign == UNCLEAR_SIGN) &&
+                    !(is_environment && (brackets > 0 || to == start || ends_open(to - 1) || is_condition(s + 1)));
+        int is_column = groups == 0 && is_word(s, "&");
+        stays |= is_column && is_environment && related && brackets == 0 && to > start &&
+                 !(s > first && is_word(s - 1, "\\\\")) && is_other_column(s, end, to - 1);
+        if ((is_break || is_column) && !stays)
             continue;
+        related |= groups == 0 && brackets == 0 && is_relation(s);
         groups += change_of_groups(s), brackets += change_of_brackets(s);
         *to++ = *s;
     }

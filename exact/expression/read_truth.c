@@ -50,13 +50,29 @@ static int has_connective(const cagd_token *t)
     return 0;
 }
 
+/* A variable stands for all of its numbers, and \forall t \in [0,1]: A is read as t \in [0,1] \Rightarrow A for all t: so it says the same where it
+ * stands at the top, in a conjunct, or in a conclusion whose premise has no t.  Under "not" and "or", in a premise and beside \iff it does not,
+ * \neg (\forall t: A(t)) being other than \forall t: \neg A(t).  Whether such a quantifier was read from byte `from` on: then an error there. */
+static int refuse_ranged(cagd_reader *r, int from, const char *where)
+{
+    if (r->ranged == NULL || r->ranged->from < from || r->ranged->from >= r->token->from)
+        return 0;
+    r->token = r->ranged;
+    cagd_refuse_token(r,
+                      "what is said for all numbers of an interval stands %s: it would be read as said of each number "
+                      "alone, and not of "
+                      "all of them together; such a quantifier stands around the whole statement, or in its conclusion",
+                      where);
+    return 1;
+}
+
 const cagd_tree *cagd_read_condition(cagd_reader *r)
 {
     int from = r->token->from, depth = r->depth;
     const cagd_token *here = r->token;
     if (cagd_pass(r, "\\neg")) {
         const cagd_tree *a = cagd_read_condition(r);
-        return a != NULL ? cagd_new_of(r, CAGD_NOT, from, 1, &a) : NULL;
+        return a != NULL && !refuse_ranged(r, from, "behind \\neg") ? cagd_new_of(r, CAGD_NOT, from, 1, &a) : NULL;
     }
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return cagd_read_truth(r);
@@ -90,14 +106,25 @@ const cagd_tree *cagd_read_alternatives(cagd_reader *r)
 {
     static const char *const words[] = {"or", NULL};
     const cagd_tree *list[CAGD_MOST_CHILDREN];
-    int count = 0, from = r->token->from;
+    int count = 0, from = r->token->from, comma = -1;
+    const cagd_token *first = r->token;
     do {
         if (count == CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
         list[count++] = cagd_read_conditions(r);
+        comma = comma < 0 ? r->comma : comma;
     } while (list[count - 1] != NULL && (cagd_pass(r, "\\lor") || pass_words(r, words)));
     if (list[count - 1] == NULL || count == 1)
         return list[count - 1];
+    if (comma >= 0) {
+        for (r->token = first; r->token->from < comma && r->token->kind != CAGD_TOKEN_END;)
+            r->token++;
+        return cagd_refuse_token(
+            r, "a comma beside \"or\": (A, B) \\lor C, or A, (B \\lor C)? write the brackets, or \\land");
+    }
+    r->comma = -1;
+    if (refuse_ranged(r, from, "beside \"or\""))
+        return NULL;
     return cagd_new_of(r, CAGD_ANY, from, count, list);
 }
 
@@ -125,8 +152,13 @@ const cagd_tree *cagd_over_list(cagd_reader *r, cagd_tree_kind kind, int from, c
     const cagd_tree *one[CAGD_MOST_CHILDREN], *low = list->low, *high = list->high;
     for (int k = 0; k < list->count; k++)
         one[k] = cagd_tree_with(body, letter, list->listed[k]);
-    if (list->count > 0)
-        return cagd_new_of(r, kind == CAGD_FOR_ALL ? CAGD_ALL : CAGD_ANY, from, list->count, one);
+    if (list->count > 0) { /* what one formula says of several numbers: no part of it is supposed for the others */
+        cagd_tree *all =
+            (cagd_tree *)cagd_new_of(r, kind == CAGD_FOR_ALL ? CAGD_ALL : CAGD_ANY, from, list->count, one);
+        if (all != NULL)
+            all->juxtaposed = 1;
+        return all;
+    }
     if (list->step > 1) { /* low + step * k for k = 0, ..., (high - low)/step, the letter being k */
         cagd_tree *k = cagd_new(r, CAGD_NAME, from, 0);
         const cagd_tree *step = cagd_tree_number(list->step, from, low->to),
@@ -159,6 +191,7 @@ static int is_interval_ahead(const cagd_reader *r)
 static const cagd_tree *quantified(cagd_reader *r)
 {
     int from = r->token->from;
+    const cagd_token *sign = r->token;
     cagd_tree_kind kind = cagd_next_is(r, "\\forall") ? CAGD_FOR_ALL : CAGD_EXISTS;
     cagd_list list;
     r->token++;
@@ -169,7 +202,7 @@ static const cagd_tree *quantified(cagd_reader *r)
         if (!cagd_pass(r, ":") && !cagd_pass(r, ","))
             cagd_pass(r, ";");
         const cagd_tree *said = within != NULL ? cagd_read_truth(r) : NULL;
-        r->depth--;
+        r->depth--, r->ranged = sign;
         return said != NULL ? cagd_new_of(r, CAGD_IMPLIES, from, 2, (const cagd_tree *[]){within, said}) : NULL;
     }
     if (r->token->kind != CAGD_TOKEN_LETTER)
@@ -184,6 +217,8 @@ static const cagd_tree *quantified(cagd_reader *r)
     const cagd_tree *body = cagd_read_truth(r);
     r->bound = bound.next;
     r->depth--;
+    if (body != NULL && kind == CAGD_EXISTS && refuse_ranged(r, from, "behind \\exists"))
+        return NULL;
     return body != NULL ? cagd_over_list(r, kind, from, head, &list, body) : NULL;
 }
 
@@ -726,6 +761,22 @@ static const cagd_tree *supposed(cagd_reader *r, enum supposing how)
     return t;
 }
 
+/* The right side of \iff behind the left one: ranges of letters that stand in it alone, a = 0 \iff a_j = 0, j = 1, 2, are its own. */
+static const cagd_tree *right_side(cagd_reader *r, const cagd_tree *left)
+{
+    struct own_ranges own;
+    const struct cagd_bound *outside = r->bound;
+    const cagd_token *here = r->token;
+    if (!take_ranges(r, 0, &own))
+        return NULL;
+    for (int k = 0; k < own.count; k++)
+        if (cagd_tree_has(left, own.letter[k].head))
+            own.count = 0, r->token = here, r->bound = outside;
+    const cagd_tree *t = for_own_ranges(r, cagd_read_alternatives(r), &own);
+    r->bound = outside;
+    return t;
+}
+
 /* Dots that leave members of a chain out, between `first` and here: of what is supposed every one is needed. */
 static int refuse_dots(cagd_reader *r, const cagd_token *first)
 {
@@ -735,6 +786,58 @@ static int refuse_dots(cagd_reader *r, const cagd_token *first)
     cagd_refuse_token(
         r, "what is left out? the ends of the chain do not say it: write \\forall k \\in \\{0, \\dots, n-1\\}: ...");
     return 1;
+}
+
+/* Whether a name that a quantifier over real numbers takes from `first` on, \forall x, y \in [0,1], stands in the premise, too: it is another x there. */
+static int refuse_taken_name(cagd_reader *r, const cagd_token *first, const cagd_tree *premise)
+{
+    for (const cagd_token *t = first; t < r->token; t++) {
+        cagd_reader at = *r;
+        const cagd_tree *name[MOST_NAMES];
+        int names, bracket;
+        cagd_reading_error none = {0};
+        at.error = &none, at.token = t + 1;
+        if (strcmp(t->word, "\\forall") != 0 || !is_interval_ahead(&at) || !read_names(&at, name, &names, &bracket))
+            continue;
+        for (int k = 0; k < names; k++)
+            if (cagd_tree_has(premise, name[k]->head)) {
+                r->token = t;
+                cagd_refuse_token(r, "%s stands in what is supposed, too: take another letter behind \\forall",
+                                  cagd_spelled(name[k]->head));
+                return 1;
+            }
+    }
+    return 0;
+}
+
+/* A \Rightarrow B, C \Rightarrow D: nobody knows whether C is said with B, or supposed for D. */
+static int refuse_two_arrows(cagd_reader *r, const cagd_token *first)
+{
+    const cagd_token *comma = NULL;
+    int depth = 0;
+    for (const cagd_token *t = first; t < r->token; t++) {
+        depth += (strchr("({[", t->word[0]) != NULL || strcmp(t->word, "\\{") == 0) -
+                 (strchr(")}]", t->word[0]) != NULL || strcmp(t->word, "\\}") == 0);
+        if (depth == 0 && (strcmp(t->word, ",") == 0 || strcmp(t->word, ";") == 0))
+            comma = t;
+        int arrow = strcmp(t->word, "\\Rightarrow") == 0 || strcmp(t->word, "\\iff") == 0 ||
+                    strcmp(t->word, "\\Leftarrow") == 0;
+        if (depth == 0 && comma == NULL && arrow) {
+            r->token = t;
+            cagd_refuse_token(
+                r, "two arrows: A \\Rightarrow (B \\Rightarrow C), or A \\Rightarrow B and B \\Rightarrow C? "
+                   "write the brackets");
+            return 1;
+        }
+        if (depth == 0 && arrow) {
+            r->token = comma;
+            cagd_refuse_token(
+                r, "a comma between two implications: (A \\Rightarrow B), (C \\Rightarrow D), or A \\Rightarrow "
+                   "((B, C) \\Rightarrow D)? write the brackets");
+            return 1;
+        }
+    }
+    return 0;
 }
 
 /* Whether what comes next is supposed, and what is said stands behind it. */
@@ -768,6 +871,7 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     if (a == NULL)
         return NULL;
     second = r->token;
+    int comma = r->comma;
     cagd_pass(r, ",");
     int implies = pass_words(r, then_words);
     if (!implies)
@@ -777,8 +881,13 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
         return cagd_refuse_token(r, "expected \\text{then} behind what is supposed, not %s", cagd_name_of_next(r));
     int iff = !implies && (cagd_pass(r, "\\iff") || pass_words(r, iff_words)),
         implied = !implies && !iff && (how = pass_supposed(r)) != NOT_SUPPOSED;
+    r->comma = comma;
     if (!implies && !iff && !implied)
         return a;
+    if ((implies || iff) && refuse_ranged(r, from, implies ? "in a premise" : "beside \\iff"))
+        return NULL;
+    int of_all = implied && how == FOR_RANGES;
+    const cagd_token *sign = second;
     if (implied && only_names(r))
         return a;
     if ((implies || iff) && refuse_dots(r, first))
@@ -787,7 +896,7 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     b = implies                  ? cagd_read_truth(r)
         : implied                ? supposed(r, how)
         : cagd_next_is_member(r) ? cagd_read_members(r)
-                                 : cagd_read_alternatives(r);
+                                 : right_side(r, a);
     for (int k = 0; b == NULL && k < own.count; k++) /* a_j = 0, j = 1, 2 \Rightarrow b_j = 0 */
         for (const cagd_token *t = second; t->kind != CAGD_TOKEN_END; t++)
             if (t->from == r->error->from && strcmp(t->word, own.letter[k].head) == 0) {
@@ -795,8 +904,13 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
                 return cagd_refuse_token(
                     r, "is the range of %s that of what is supposed alone? write it behind all, or in :for:", t->word);
             }
-    if (b == NULL || (!implies && refuse_dots(r, second)))
+    if (b == NULL || (!implies && refuse_dots(r, second)) ||
+        (implies && (refuse_taken_name(r, second, a) || refuse_two_arrows(r, second))) ||
+        (implied && refuse_ranged(r, second->from, "in what is supposed")) ||
+        (iff && refuse_ranged(r, from, "beside \\iff")))
         return NULL;
+    if (of_all)
+        r->ranged = sign;
     const cagd_tree *pair[2] = {implied ? b : a, implied ? a : b};
     return cagd_new_of(r, iff ? CAGD_IFF : CAGD_IMPLIES, from, 2, pair);
 }

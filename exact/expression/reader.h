@@ -33,6 +33,8 @@ typedef struct cagd_reader {
     int defining;               /* the right side of a definition */
     int looking;                /* ahead, where nothing is asked for that would be read once more */
     const cagd_token *left_out; /* the last dots that leave steps of a chain out */
+    const cagd_token *ranged;   /* the last quantifier over real numbers */
+    int comma;                  /* where the last comma between the conditions that were read begins; -1 without one */
 } cagd_reader;
 
 enum { CAGD_MOST_NODES = 20000 };

@@ -13,7 +13,8 @@ typedef enum cagd_token_kind {
     CAGD_TOKEN_NUMBER, /* digits, with a point between them                              */
     CAGD_TOKEN_LETTER, /* "t", "\lambda": what can be the letter of a name               */
     CAGD_TOKEN_WORD,   /* "\frac": any other command                                     */
-    CAGD_TOKEN_SIGN    /* "+", "(", "\\": one character, or the break of a line          */
+    CAGD_TOKEN_SIGN,   /* "+", "(", "\\": one character, or the break of a line          */
+    CAGD_TOKEN_ROW     /* the comma "," between two rows of formulas (read_rows.c)      */
 } cagd_token_kind;
 
 typedef struct cagd_token {

@@ -2221,6 +2221,28 @@ class Verdicts(unittest.TestCase):
         values = {v["name"]: v["value"] for v in s["counterexample"]["values"]}
         self.assertEqual(values, {"x": "0", "y": "1"})
 
+    def test_what_reaches_over_one_row_or_part_alone(self):
+        """Rows are formulas of their own; a quantifier over an interval stands where it says the same as for each number; lists with gaps are supposed
+        of their members; a range behind an equivalence is that of its right side; {f}^{(j)} is a derivative, and -3 a function."""
+        for printed, ranges, expected in (
+                (r"y \ge 1 \Rightarrow \forall x \in [0,1]: x \le y", "n = 1", "holds"), (r"y \ge 0 \Rightarrow \forall x \in [0,1]: x \le y", "n = 1", "fails"),
+                (r"x^2 \ge 0, \quad (\forall u \in [0,1]: u \ge 0)", "n = 1", "holds"), (r"\forall i \in \{0,1\}: \forall x \in [0,1]: x + i \ge 0", "n = 1", "holds"),
+                (r"\begin{aligned} x\ge1 &\Rightarrow x\ge5 \\ x\ge6 &\Rightarrow x\ge5 \end{aligned}", "n = 1", "fails"),
+                (r"\begin{aligned} x\ge7 &\Rightarrow x\ge5 \\ x\ge6 &\Rightarrow x\ge5 \end{aligned}", "n = 1", "holds"),
+                (r"\begin{aligned} x + y &= y + x \\ x &\ge 5 \quad \text{if } x \ge 6 \end{aligned}", "n = 1", "holds"),
+                (r"\begin{aligned} x &= x \quad \text{for } x \ge 0 \\ y &= x + 2 \end{aligned}", "n = 1", "undecided"),
+                (r"\begin{aligned} (x+1)^2 &= x^2 + 2x \\ &+ 1 \end{aligned}", "n = 1", "holds"), (r"\begin{aligned} 0 &= x \\ -x &= 0 \end{aligned}", "n = 1", "undecided"),
+                (r"x_0 + x_1 + x_2 \ge 0, \quad x_i \ge 0", "i = 0, 2", "fails"), (r"x_0 + x_2 \ge 0, \quad x_i \ge 0", "i = 0, 2", "holds"),
+                (r"x_0 + x_1 + x_2 \ge 0, \quad x_i \ge 0", "i = 0(2)2", "fails"), (r"x_0 + x_2 \ge 0, \quad x_i \ge 0", "i = 0(2)2", "holds"),
+                (r"x_0 + x_1 + x_2 \ge 0, \quad x_i \ge 0", "i = 0..2", "holds"), (r"x_0 + x_1 + x_2 \ge 0, \quad x_i \ge 0", "i = 0..2, i \\text{ even}", "undecided"),
+                (r"x_1^2 + x_2^2 = 0 \iff x_j = 0, j = 1, 2", "n = 1", "holds"), (r"x_1^2 + x_2^2 = 0 \iff x_j = 0, j = 1, 3", "n = 1", "fails"),
+                (r"{B_1^2}^{(2)}(t) = -4", "n = 1", "holds"), (r"{B_1^2}^{(j)}(t) = B_1^2(t)^2", "j = 2", "fails"), (r"{B_1^2}^{(j)}(t) = -4", "j = 2", "holds")):
+            with self.subTest(printed=printed, ranges=ranges):
+                self.assertEqual(verdict(printed, ranges)["verdict"], expected)
+        let = "S(f;x) = f(x) x^2\n"
+        for printed, expected in ((r"S(-3;x) = -3 x^2", "holds"), (r"S(1/2;x) = \frac12 x^2", "holds"), (r"S(-3;x) = 3 x^2", "fails")):
+            self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected, printed)
+
     def test_what_is_supposed_and_never_true_proves_nothing(self):
         self.assertEqual(verdict("x = 2 x", "n = 1..3, 2 n = 1")["verdict"], "undecided")
 
