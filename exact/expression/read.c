@@ -1291,6 +1291,13 @@ static int at_the_end(cagd_reader *r)
     r->token = here;
     if (words != NULL && words[0] != '\0' && !cagd_are_words_of_range(words))
         return cagd_refuse_words(r, words) != NULL;
+    if (cagd_next_is(r, "\\\\"))
+        return cagd_refuse_token(r,
+                                 "a row is a formula of its own, with a relation, or goes on with one: expected that "
+                                 "behind \\\\") != NULL;
+    if (cagd_next_is(r, "&"))
+        return cagd_refuse_token(r, "is what stands behind '&' a condition, or another formula? write \\text{for} or a "
+                                    "comma") != NULL;
     return cagd_refuse_token(r, "expected the end of the formula, not %s", cagd_name_of_next(r)) != NULL;
 }
 
