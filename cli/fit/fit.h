@@ -17,7 +17,7 @@ struct fit {
     cagd_fit_choices choices;
     cagd_fit_quality quality;
     cagd_fit_cures cures; /* what was tried where it is not good */
-    int sigma_given; /* one standard deviation for all points, by an option */
+    int sigma_given;      /* one standard deviation for all points, by an option */
     struct points points;
     cagd_fit_data data;
     cagd_fit_options options;

@@ -232,8 +232,8 @@ static json_t *part_json(const cagd_fit_runs *runs)
 {
     if (runs->points == 0)
         return json_null();
-    return json_pack("{s:i, s:o, s:o, s:o, s:o}", "points", runs->points, "from", real(runs->from), "to", real(runs->to),
-                     "excess", real(runs->excess), "probability", real(runs->local_probability));
+    return json_pack("{s:i, s:o, s:o, s:o, s:o}", "points", runs->points, "from", real(runs->from), "to",
+                     real(runs->to), "excess", real(runs->excess), "probability", real(runs->local_probability));
 }
 
 static json_t *quality_json(const struct fit *f)
@@ -247,11 +247,11 @@ static json_t *quality_json(const struct fit *f)
         free(sentence[k]);
     }
     static const char *const beneath[] = {NULL, "digits", "deviations", "size"};
-    return json_pack("{s:b, s:o, s:s?, s:i, s:i, s:o, s:o, s:o, s:o, s:i, s:o, s:o}", "good", count == 0, "problems", list,
-                     "structure_beneath", beneath[q->beneath], "crossings",
-                     q->crossings, "crossings_of_points", q->crossings_of_points, "widest_gap", real(q->gap),
-                     "same_side", json_integer(q->runs.same), "pairs", json_integer(q->runs.pairs), "probability",
-                     real(q->runs.probability), "far_off", q->strays, "part", part_json(&q->runs), "tried", cures_json(f));
+    return json_pack("{s:b, s:o, s:s?, s:i, s:i, s:o, s:o, s:o, s:o, s:i, s:o, s:o}", "good", count == 0, "problems",
+                     list, "structure_beneath", beneath[q->beneath], "crossings", q->crossings, "crossings_of_points",
+                     q->crossings_of_points, "widest_gap", real(q->gap), "same_side", json_integer(q->runs.same),
+                     "pairs", json_integer(q->runs.pairs), "probability", real(q->runs.probability), "far_off",
+                     q->strays, "part", part_json(&q->runs), "tried", cures_json(f));
 }
 
 json_t *fit_json(const struct fit *f)

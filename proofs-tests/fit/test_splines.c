@@ -16,7 +16,6 @@
 enum { FEWEST = 5, MOST = 40, EACH = 12, DEGREE = 3 };
 static const double NOISE = 0.01;
 
-
 /* A walk whose steps turn by at most 60 degrees, and N points of the spline over it. */
 static int make_points(int count, double Q[])
 {
