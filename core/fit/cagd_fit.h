@@ -460,14 +460,15 @@ CAGD_API int cagd_fit_has_cusp(const cagd_fit_result *result, double *t);
 /* How long the curve is, for a polygon of points in their order of length 1; where neighbours are nearer than their errors, of means of
  * neighbours.  A curve that follows its points is hardly
  * longer than their polygon, which errors make longer still: where neighbours are farther apart than their errors and the curve turns
- * between them by at most 130 degrees, an arc, the ratio is at most 1.26.  A larger one says that the curve has loops or
+ * between them by at most 130 degrees, an arc, the ratio is at most CAGD_FIT_LONGEST_RATIO.  A larger one says that the curve has loops or
  * excursions that no points show.  Of points in no order it says nothing.  NaN where the length is not finite. */
+#define CAGD_FIT_LONGEST_RATIO 1.26
 CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_result *result);
 
 /* What is not good about a fit, whatever is known of its minimum; added up.
  *
- * EXCURSIONS   the curve is longer than 1.26 times the polygon of the points, cagd_fit_length_ratio, or makes a detour between two neighbouring
- * feet: it is more than 1.26 times as long there as a curve that turns no more than their chord and those beside it, and ten times the root mean
+ * EXCURSIONS   the curve is longer than CAGD_FIT_LONGEST_RATIO times the polygon of the points, cagd_fit_length_ratio, or makes a detour between two neighbouring
+ * feet: it is more than CAGD_FIT_LONGEST_RATIO times as long there as a curve that turns no more than their chord and those beside it, and ten times the root mean
  * square of the distances longer
  * LOOPS        in the plane: it crosses itself more often than that polygon does
  * GAPS         between two neighbouring feet lies more than a tenth of its length, and more than four times the usual part of it

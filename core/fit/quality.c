@@ -14,8 +14,8 @@
 
 enum { SIDES = 600, PER_PIECE = 24, FEW = 30 };
 
-static const double LONGEST = 1.26, BY_CHANCE = 0.01, HARDLY_BY_CHANCE = 0.001, PART = 0.1, USUAL = 4, MANY = 0.05,
-                    DEVIATIONS = 6, COARSE = 0.02, STRAY = 10;
+static const double BY_CHANCE = 0.01, HARDLY_BY_CHANCE = 0.001, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6,
+                    COARSE = 0.02, STRAY = 10;
 
 typedef struct polygon {
     int corners, dim;
@@ -321,8 +321,8 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
             }
         }
         find_far(&own, r, q);
-        q->problems |= q->length_ratio > LONGEST ? CAGD_FIT_EXCURSIONS : 0;
-        q->detour = q->length_ratio > LONGEST ? 0 : q->detour; /* of one of many nothing is said */
+        q->problems |= q->length_ratio > CAGD_FIT_LONGEST_RATIO ? CAGD_FIT_EXCURSIONS : 0;
+        q->detour = q->length_ratio > CAGD_FIT_LONGEST_RATIO ? 0 : q->detour; /* of one of many nothing is said */
         q->problems |= q->crossings > q->crossings_of_points ? CAGD_FIT_LOOPS : 0;
         find_structure(&own, r, q);
         find_deviations(&own, options, r, q);

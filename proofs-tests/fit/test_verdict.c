@@ -151,7 +151,7 @@ static int has_detour(double across, double up, double from, double to)
             cagd_fit_quality_of(&data, &options, fit, &quality) == CAGD_OK,
         "a fit");
     cagd_fit_free(fit);
-    ask(quality.length_ratio < 1.26, "the whole is no longer than its points");
+    ask(quality.length_ratio < CAGD_FIT_LONGEST_RATIO, "the whole is no longer than its points");
     ask((quality.detour > 0) == ((quality.problems & CAGD_FIT_EXCURSIONS) != 0), "a detour is an excursion");
     return quality.detour > 0;
 }
