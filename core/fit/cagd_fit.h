@@ -449,6 +449,34 @@ typedef struct cagd_fit_conic {
 
 CAGD_API cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
 
+/* Whether the points contradict that a conic in one segment in the plane is an arc of a circle (圆弧), and which circle comes closest to them.
+ *
+ * The circle minimises the sum of squared orthogonal distances over s_i^2; of 5 numbers of a conic it has 3.  known: the curve is a conic in
+ * one segment by least squares, all of it free, and a minimum that is told from a straight line, and by
+ *
+ *     F = (chi_squared of the circle - chi_squared of the conic)/2 / (chi_squared of the conic/(N - 5))
+ *
+ * with 2 and N - 5 degrees of freedom so large a difference comes about by chance more than once in twenty times; from F a common factor of
+ * given deviations drops out.  Otherwise all is 0.
+ *
+ * Intervals.  Of a short arc the radius R and the distance of the centre are determined through the height of the arc, and so by their
+ * reciprocals: linear in the errors are the curvature k = 1/R, the place of the arc's middle M across the curve, h, and its direction there, theta.
+ * 95 % of R is all R > 0 with |1/R - k| <= q s_k; a coordinate x of the centre is where the linear form k (x - M_x) - (1 + k h) n_x does not differ
+ * from 0 by more than q of its standard errors, n from M to the centre (Fieller's theorem).  Where the curvature itself does not differ from 0
+ * there are no intervals, nor where the distances are more than a twentieth of the radius.  Source: fieller-1954. */
+typedef struct cagd_fit_circle {
+    int known;
+    cagd_fit_number centre[2], radius;
+    double sweep;      /* how far around the feet of the points go, in degrees */
+    double rms, ratio; /* of its distances; F                                  */
+    int freedom;       /* N - 5                                                */
+    double probability; /* of so large an F, or a larger one, by chance         */
+} cagd_fit_circle;
+
+/* `data` and `options` as for the fit.  Statuses: OK, NO_MEMORY. */
+CAGD_API cagd_status cagd_fit_circle_of(const cagd_fit_data *data, const cagd_fit_options *options,
+                                        const cagd_fit_result *result, cagd_fit_circle *circle);
+
 /* Whether the fitted curve turns as at a cusp (尖点), and at which parameter, *t.
  *
  * Where the speed |C'| is smallest, C' is orthogonal to C'', and the radius of curvature is |C'|^2/|C''|.  Feet, rank
