@@ -50,9 +50,7 @@ void print_circle(const struct fit *f)
         "chance; rms %.4g)",
         text,
         isfinite(c->radius.high) ? ", at 95 %"
-        : c->rms > c->radius.value / 20
-            ? ", without intervals, since the distances are more than a twentieth of the radius"
-            : ", without intervals, since the arc is too short to tell its curvature from 0",
+                                 : ", without intervals, since the distances are more than a twentieth of the radius",
         c->sweep, c->ratio, c->freedom, c->probability, c->rms);
     free(text);
 }

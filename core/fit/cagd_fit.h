@@ -452,7 +452,8 @@ CAGD_API cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
 /* Whether the points contradict that a conic in one segment in the plane is an arc of a circle (圆弧), and which circle comes closest to them.
  *
  * The circle minimises the sum of squared orthogonal distances over s_i^2; of 5 numbers of a conic it has 3.  known: the curve is a conic in
- * one segment by least squares, all of it free, and a minimum that is told from a straight line, and by
+ * one segment by least squares, all of it free, and a minimum, the curvature of the circle differs from 0 at 95 %, which tells it from a straight
+ * line also where the conic with its two numbers more does not, and by
  *
  *     F = (chi_squared of the circle - chi_squared of the conic)/2 / (chi_squared of the conic/(N - 5))
  *
@@ -462,8 +463,8 @@ CAGD_API cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
  * Intervals.  Of a short arc the radius R and the distance of the centre are determined through the height of the arc, and so by their
  * reciprocals: linear in the errors are the curvature k = 1/R, the place of the arc's middle M across the curve, h, and its direction there, theta.
  * 95 % of R is all R > 0 with |1/R - k| <= q s_k; a coordinate x of the centre is where the linear form k (x - M_x) - (1 + k h) n_x does not differ
- * from 0 by more than q of its standard errors, n from M to the centre (Fieller's theorem).  Where the curvature itself does not differ from 0
- * there are no intervals, nor where the distances are more than a twentieth of the radius.  Source: fieller-1954. */
+ * from 0 by more than q of its standard errors, n from M to the centre (Fieller's theorem).  There are no intervals where the
+ * distances are more than a twentieth of the radius.  Source: fieller-1954. */
 typedef struct cagd_fit_circle {
     int known;
     cagd_fit_number centre[2], radius;

@@ -88,11 +88,9 @@ static void centre_interval(const arc *s, int c, double quantile, cagd_fit_numbe
 
 static void fill_intervals(const arc *s, double quantile, cagd_fit_circle *circle)
 {
-    const double wide = quantile * sqrt(s->local[K][K]);
-    if (wide < s->k) {
-        circle->radius.low = 1 / (s->k + wide);
-        circle->radius.high = 1 / (s->k - wide);
-    }
+    const double wide = quantile * sqrt(s->local[K][K]); /* < k */
+    circle->radius.low = 1 / (s->k + wide);
+    circle->radius.high = 1 / (s->k - wide);
     for (int c = 0; c < 2; c++)
         centre_interval(s, c, quantile, &circle->centre[c]);
 }
@@ -118,8 +116,7 @@ static int is_free_conic(const cagd_fit_data *data, const cagd_fit_options *opti
         bound |= r->at_bound[a];
     return data->dim == 2 && r->curve.degree == 2 && r->curve.count == 3 && r->count == data->count && !bound &&
            r->unknowns == 7 && options->free == all && options->loss == CAGD_FIT_SQUARES && !(options->smooth > 0) &&
-           !options->monotone && cagd_fit_is_minimum(r) && data->count > 5 &&
-           cagd_fit_conic_of(r).kind != CAGD_FIT_STRAIGHT;
+           !options->monotone && cagd_fit_is_minimum(r) && data->count > 5;
 }
 
 /* The roundings of the coordinates, beneath which distances say nothing. */
@@ -141,7 +138,10 @@ static void judge(const cagd_fit_data *data, const cagd_fit_result *r, const fit
     if (!round->converged || round->unknowns < 3 || !(rounded || probability > 0.05))
         return;
     const double scale_squared = known ? 1 : round->chi_squared / (data->count - 3);
+    const double quantile = known ? fit_normal_quantile() : fit_student_quantile(data->count - 3);
     const arc s = arc_of(data, round, scale_squared);
+    if (!(quantile * sqrt(s.local[K][K]) < s.k)) /* not told from a straight line */
+        return;
     *to = (cagd_fit_circle){1, .ratio = ratio, .freedom = d, .probability = probability};
     for (int c = 0; c < 2; c++)
         to->centre[c] = (cagd_fit_number){round->x[c], sqrt(s.joint[c][c]), NAN, NAN};
@@ -155,7 +155,7 @@ static void judge(const cagd_fit_data *data, const cagd_fit_result *r, const fit
     }
     to->rms = sqrt(sum / data->count);
     if (to->rms <= BENT * to->radius.value)
-        fill_intervals(&s, known ? fit_normal_quantile() : fit_student_quantile(data->count - 3), to);
+        fill_intervals(&s, quantile, to);
 }
 
 cagd_status cagd_fit_circle_of(const cagd_fit_data *data, const cagd_fit_options *options,
