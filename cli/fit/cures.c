@@ -106,7 +106,8 @@ static void put_outcome(FILE *out, const struct fit *f, const cagd_fit_trial *t)
         fputs("nothing is found against that fit", out);
     for (int k = 0; k < MOST_PROBLEMS; k++)
         if (t->problems & 1 << k)
-            fprintf(out, "%s%s%s", said++ > 0 ? ", " : "", f->quality.problems & 1 << k ? "still " : "", problem_name[k]);
+            fprintf(out, "%s%s%s", said++ > 0 ? ", " : "", f->quality.problems & 1 << k ? "still " : "",
+                    problem_name[k]);
     fprintf(out, ", rms %.3g%s", t->rms, t->options.loss == CAGD_FIT_SQUARES ? "" : " without outliers");
 }
 
@@ -116,8 +117,8 @@ void print_cures(const struct fit *f)
     char *text;
     size_t size;
     if (c->too_many)
-        say("Tried", "nothing else, which takes long with more than %d points or %d control points", CAGD_FIT_MOST_TRIED,
-            CAGD_FIT_MOST_TRIED_CONTROL_POINTS);
+        say("Tried", "nothing else, which takes long with more than %d points or %d control points",
+            CAGD_FIT_MOST_TRIED, CAGD_FIT_MOST_TRIED_CONTROL_POINTS);
     if (c->count == 0)
         return;
     FILE *out = text_open(&text, &size);

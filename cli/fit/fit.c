@@ -236,6 +236,8 @@ static int fit_points(const struct fit_arguments *a, struct fit *f)
     if (is_refuted(f))
         cagd_fit_refute(result);
     status = cagd_fit_quality_of(&f->data, &f->options, result, &f->quality);
+    if (status == CAGD_OK)
+        status = cagd_fit_circle_of(&f->data, &f->options, result, &f->circle);
     if (status == CAGD_OK) {
         waiting_begin("trying what cures it");
         status = cagd_fit_cures_of(&all, &f->options, &a->choices, result, &f->quality, &f->cures);

@@ -16,8 +16,9 @@ struct fit {
     const char *path;
     cagd_fit_choices choices;
     cagd_fit_quality quality;
+    cagd_fit_circle circle;
     cagd_fit_cures cures; /* what was tried where it is not good */
-    int sigma_given; /* one standard deviation for all points, by an option */
+    int sigma_given;      /* one standard deviation for all points, by an option */
     struct points points;
     cagd_fit_data data;
     cagd_fit_options options;
@@ -84,6 +85,9 @@ void print_number(const char *name, cagd_fit_number x);
 void print_choice(const struct fit *f);  /* what was chosen, and why: verdict.c */
 void print_ellipse(const struct fit *f); /* verdict.c */
 void print_quality(const struct fit *f); /* verdict.c */
+/* Whether a conic is told as an arc of a circle, and the line that does (circle.c). */
+int tells_circle(const struct fit *f);
+void print_circle(const struct fit *f);
 /* Sentences without full stop about what is not good, each with what was tried and cures it; their number (verdict.c). */
 enum { MOST_PROBLEMS = 9 };
 int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS]);

@@ -195,6 +195,18 @@ static json_t *ellipse_json(const struct fit *f)
                      "f_ratio", real(e->ratio), "f_degrees_of_freedom", e->freedom);
 }
 
+/* Of a conic that is told as an arc of a circle; otherwise null. */
+static json_t *circle_json(const struct fit *f)
+{
+    const cagd_fit_circle *c = &f->circle;
+    if (!tells_circle(f))
+        return json_null();
+    return json_pack("{s:[o, o], s:o, s:o, s:o, s:o, s:i, s:o}", "centre", interval_json(c->centre[0]),
+                     interval_json(c->centre[1]), "radius", interval_json(c->radius), "sweep", real(c->sweep), "rms",
+                     real(c->rms), "f_ratio", real(c->ratio), "f_degrees_of_freedom", c->freedom, "probability",
+                     real(c->probability));
+}
+
 /* What was chosen, and why. */
 static json_t *choice_json(const struct fit *f)
 {
@@ -232,8 +244,8 @@ static json_t *part_json(const cagd_fit_runs *runs)
 {
     if (runs->points == 0)
         return json_null();
-    return json_pack("{s:i, s:o, s:o, s:o, s:o}", "points", runs->points, "from", real(runs->from), "to", real(runs->to),
-                     "excess", real(runs->excess), "probability", real(runs->local_probability));
+    return json_pack("{s:i, s:o, s:o, s:o, s:o}", "points", runs->points, "from", real(runs->from), "to",
+                     real(runs->to), "excess", real(runs->excess), "probability", real(runs->local_probability));
 }
 
 static json_t *quality_json(const struct fit *f)
@@ -247,11 +259,11 @@ static json_t *quality_json(const struct fit *f)
         free(sentence[k]);
     }
     static const char *const beneath[] = {NULL, "digits", "deviations", "size"};
-    return json_pack("{s:b, s:o, s:s?, s:i, s:i, s:o, s:o, s:o, s:o, s:i, s:o, s:o}", "good", count == 0, "problems", list,
-                     "structure_beneath", beneath[q->beneath], "crossings",
-                     q->crossings, "crossings_of_points", q->crossings_of_points, "widest_gap", real(q->gap),
-                     "same_side", json_integer(q->runs.same), "pairs", json_integer(q->runs.pairs), "probability",
-                     real(q->runs.probability), "far_off", q->strays, "part", part_json(&q->runs), "tried", cures_json(f));
+    return json_pack("{s:b, s:o, s:s?, s:i, s:i, s:o, s:o, s:o, s:o, s:i, s:o, s:o}", "good", count == 0, "problems",
+                     list, "structure_beneath", beneath[q->beneath], "crossings", q->crossings, "crossings_of_points",
+                     q->crossings_of_points, "widest_gap", real(q->gap), "same_side", json_integer(q->runs.same),
+                     "pairs", json_integer(q->runs.pairs), "probability", real(q->runs.probability), "far_off",
+                     q->strays, "part", part_json(&q->runs), "tried", cures_json(f));
 }
 
 json_t *fit_json(const struct fit *f)
@@ -320,6 +332,7 @@ json_t *fit_json(const struct fit *f)
     json_object_set_new(rest, "outliers", outliers_json(f));
     json_object_set_new(rest, "choice", choice_json(f));
     json_object_set_new(rest, "ellipse", ellipse_json(f));
+    json_object_set_new(rest, "circle", circle_json(f));
     json_object_set_new(rest, "quality", quality_json(f));
     json_object_set_new(rest, "length_ratio", o->unordered ? json_null() : real(cagd_fit_length_ratio(&f->data, r)));
     json_object_update(document, rest);

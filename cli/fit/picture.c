@@ -1,6 +1,6 @@
 /* picture.c -- the picture of a fit: points, curve, control polygon; below, the distances over the parameter. */
-#include "chapters/judge/memory_text.h"
 #include "cli/fit/picture.h"
+#include "chapters/judge/memory_text.h"
 #include "cli/refuse.h"
 #include "cli/ticks.h"
 
@@ -246,12 +246,12 @@ static void describe(const struct fit *f, FILE *out)
             "with its control polygon; below, the %s of every point over the parameter of its foot%s. "
             "Root mean square distance %.3g, largest %.3g.",
             f->data.count,
-            f->data.dim == 2                ? "in the plane"
-            : views_of_space(f) == TOP_SIDE ? "in space, from above and from the side"
+            f->data.dim == 2                  ? "in the plane"
+            : views_of_space(f) == TOP_SIDE   ? "in space, from above and from the side"
             : views_of_space(f) == FRONT_SIDE ? "in space, from the front and from the side"
-                                            : "in space, from above and from the front",
-            cagd_fit_is_minimum(f->result) && !nothing_is_free(f) ? "the" : "a", is_rational(f) ? " rational" : "", r->curve.degree,
-            r->curve.count,
+                                              : "in space, from above and from the front",
+            cagd_fit_is_minimum(f->result) && !nothing_is_free(f) ? "the" : "a", is_rational(f) ? " rational" : "",
+            r->curve.degree, r->curve.count,
             nothing_is_free(f)               ? " that is given"
             : cagd_fit_is_minimum(f->result) ? " that comes closest to them"
                                              : " that the minimiser reached, not known to be a minimum",

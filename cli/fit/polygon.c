@@ -29,7 +29,8 @@ static svg_crowd crowd_of(const struct view *v)
     const cagd_spline *c = &near;
     near.points = r->relative;
     const int n = v->f->data.count, own = own_points(v->f), legs = c->count - 1;
-    const int sides = (c->count - c->degree) * PER_SEGMENT < MOST_PLACES ? (c->count - c->degree) * PER_SEGMENT : MOST_PLACES;
+    const int sides =
+        (c->count - c->degree) * PER_SEGMENT < MOST_PLACES ? (c->count - c->degree) * PER_SEGMENT : MOST_PLACES;
     double *point = region_bytes(2 * (size_t)(n + own) * sizeof *point);
     double *place = region_bytes(2 * (size_t)(sides + 1 + legs * PER_LEG) * sizeof *place), at[CAGD_MAX_DIM];
     svg_crowd crowd = {0, 0, point, place};
@@ -39,8 +40,8 @@ static svg_crowd crowd_of(const struct view *v)
         keep_at(point, crowd.points++, control_point(v, j));
     const double start = c->knots[c->degree], end = c->knots[c->count];
     for (int k = 0; k <= sides; k++)
-        if (cagd_spline_point(c, k < sides ? start + (end - start) * k / sides : end, k < sides ? CAGD_RIGHT : CAGD_LEFT,
-                              at) == CAGD_OK)
+        if (cagd_spline_point(c, k < sides ? start + (end - start) * k / sides : end,
+                              k < sides ? CAGD_RIGHT : CAGD_LEFT, at) == CAGD_OK)
             keep_at(place, crowd.places++, shown_from(v, r->origin, at));
     for (int j = 0; j < legs; j++) {
         double leg[4];
@@ -117,7 +118,8 @@ static void mark_beyond(svg *s, const struct view *v, const svg_crowd *crowd, in
     svg_arrow(s, on[2], on[0], SVG_POLYGON);
     snprintf(name, sizeof name, "P_{%d}", j);
     if (named) /* beside the arrow, within the frame */
-        svg_label_clear(s, on[1], fabs(b.direction[0]) > fabs(b.direction[1]) ? SVG_S : SVG_E, crowd, SVG_POLYGON, name);
+        svg_label_clear(s, on[1], fabs(b.direction[0]) > fabs(b.direction[1]) ? SVG_S : SVG_E, crowd, SVG_POLYGON,
+                        name);
 }
 
 void draw_polygon(svg *s, const struct view *v)

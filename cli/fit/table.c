@@ -14,15 +14,15 @@ static const char *const role_name[ROLES] = {"x", "y", "z", "sigma"};
 
 /* What maps, surveyors and schools call x and y; first those in degrees, last the words for x and y themselves. */
 static const char *const pair_name[][2] = {
-    {"longitude", "latitude"}, {"lon", "lat"},       {"long", "lat"},      {"lng", "lat"},        {"经度", "纬度"},
-    {"easting", "northing"},   {"east", "north"},    {"e", "n"},           {"ost", "nord"},       {"est", "nord"},
-    {"rechtswert", "hochwert"}, {"rechts", "hoch"},  {"rw", "hw"},         {"东", "北"},
-    {"abscissa", "ordinate"},  {"abszisse", "ordinate"}, {"横坐标", "纵坐标"}};
+    {"longitude", "latitude"},  {"lon", "lat"},      {"long", "lat"}, {"lng", "lat"},  {"经度", "纬度"},
+    {"easting", "northing"},    {"east", "north"},   {"e", "n"},      {"ost", "nord"}, {"est", "nord"},
+    {"rechtswert", "hochwert"}, {"rechts", "hoch"},  {"rw", "hw"},    {"东", "北"},    {"abscissa", "ordinate"},
+    {"abszisse", "ordinate"},   {"横坐标", "纵坐标"}};
 enum { PAIRS = sizeof pair_name / sizeof *pair_name, IN_DEGREES = 5, PLAIN = 3 };
 
 /* What heights are called, which are z if three coordinates are asked for. */
-static const char *const height_name[] = {"h",  "height", "hoehe", "höhe", "HÖHE", "alt", "altitude", "ele", "elev", "elevation",
-                                          "高程", "竖坐标"};
+static const char *const height_name[] = {"h",        "height", "hoehe", "höhe",      "HÖHE", "alt",
+                                          "altitude", "ele",    "elev",  "elevation", "高程", "竖坐标"};
 
 /* A piece of the file, without the quotes around it. */
 struct field {
@@ -38,12 +38,12 @@ struct table {
     int column[ROLES]; /* where each is, from 0; -1: nowhere                                          */
     int pair;          /* which one the columns are called by, from 1; 0: they are called x and y, or not at all  */
     int is_number[MOST_FIELDS]; /* whether a column is called a number or name of the point                       */
-    int counts;        /* the columns have no names, and the first one begins with a whole number         */
-    int two;           /* the only two columns that can be coordinates are taken as x and y           */
-    int fields;        /* of every line                                                               */
+    int counts;                 /* the columns have no names, and the first one begins with a whole number         */
+    int two;                    /* the only two columns that can be coordinates are taken as x and y           */
+    int fields;                 /* of every line                                                               */
     int dim;
     char unit[8]; /* that stands behind numbers; "": none                                 */
-    int leading; /* lines before the first row: titles, names, counts                        */
+    int leading;  /* lines before the first row: titles, names, counts                        */
     struct lead {
         char *text, *start;
         int line;
@@ -127,7 +127,8 @@ static int fields_of(const struct table *r, char *line, struct field *field)
 /* How many bytes the unit of a length or an angle at s has that ends there; 0: none does. */
 static size_t unit_length(const char *s)
 {
-    static const char *const units[] = {"mm", "cm", "dm", "m", "km", "µm", "μm", "um", "nm", "in", "inch", "ft", "\"", "°", "deg", "rad", "%"};
+    static const char *const units[] = {"mm", "cm",   "dm", "m",  "km", "µm",  "μm",  "um", "nm",
+                                        "in", "inch", "ft", "\"", "°",  "deg", "rad", "%"};
     for (size_t k = 0; k < sizeof units / sizeof *units; k++) {
         size_t n = strlen(units[k]);
         if (strncmp(s, units[k], n) == 0 && (s[n] == '\0' || strchr(" \t;,\"", s[n]) != NULL))
@@ -161,7 +162,8 @@ static char separator_of(const char *line)
         comma |= *s == ',';
         if (*s == ' ' && s > line && s[-1] != ',' && s[-1] != ' ') {
             const char *behind = s + strspn(s, " "), *unit = behind + unit_length(behind);
-            int ends = unit > behind && isdigit((unsigned char)s[-1]) && strchr(";,\t", unit[strspn(unit, " ")]) != NULL;
+            int ends =
+                unit > behind && isdigit((unsigned char)s[-1]) && strchr(";,\t", unit[strspn(unit, " ")]) != NULL;
             blank |= *behind != ',' && !ends;
         }
     }
@@ -297,9 +299,9 @@ static int is_called(const struct field *f, const char *name)
 /* Whether the field is a name of numbers that count the points, or of names of them: Nr., id, Punkt-Nr, 序号. */
 static int is_called_number(const struct field *f)
 {
-    static const char *const words[] = {"number", "nummer", "num",  "nr",   "no",   "n°",   "index", "idx", "id",   "i",   "point",
-                                        "punkt",  "pkt",    "pt",   "lfd",  "name", "row",  "line",  "zeile", "序号", "编号", "点号",
-                                        "点名"};
+    static const char *const words[] = {"number", "nummer", "num",   "nr",    "no",   "n°",   "index", "idx",
+                                        "id",     "i",      "point", "punkt", "pkt",  "pt",   "lfd",   "name",
+                                        "row",    "line",   "zeile", "序号",  "编号", "点号", "点名"};
     size_t at = 0, any = 0;
     while (at < f->length) {
         size_t longest = 0;
@@ -441,7 +443,8 @@ static int columns_by_name(struct table *r, const struct columns *asked, const s
     if (r->column[X] < 0 && r->column[Y] < 0) {
         for (int k = 0; k < r->fields && r->fields > 2 && r->separator != ' '; k++)
             if (is_half(&names[k]))
-                return refuse(&r->in, NULL, "no column is the other coordinate beside %.*s", (int)names[k].length, names[k].at);
+                return refuse(&r->in, NULL, "no column is the other coordinate beside %.*s", (int)names[k].length,
+                              names[k].at);
         if (r->column[Z] >= 0 && others_of(r, at) > 2)
             return refuse(&r->in, NULL, "a column is called z, none x and y");
         r->column[Z] = -1;
@@ -466,13 +469,14 @@ static int columns_by_order(struct table *r, const struct columns *asked, const 
     int known = r->column[SIGMA] >= 0, column[3], others = others_of(r, column);
     int dim = asked->dim != 0 ? asked->dim : known ? others : others == 3 ? 0 : others == 4 ? 3 : others;
     if (dim == 0 && names == NULL)
-        return refuse(&r->in, NULL,
-                      "three columns without names can be x y z or x y sigma; say which by --dim 3 or --dim 2%s",
-                      r->counts ? ", or, if the first one numbers the points, by a line above them such as nr x y" : "");
+        return refuse(
+            &r->in, NULL, "three columns without names can be x y z or x y sigma; say which by --dim 3 or --dim 2%s",
+            r->counts ? ", or, if the first one numbers the points, by a line above them such as nr x y" : "");
     if (dim == 0)
-        return refuse(&r->in, NULL,
-                      "three columns can be x y z or x y sigma, and their names do not say which; say it by names x and "
-                      "y, or by --dim 3 or --dim 2, in this order");
+        return refuse(
+            &r->in, NULL,
+            "three columns can be x y z or x y sigma, and their names do not say which; say it by names x and "
+            "y, or by --dim 3 or --dim 2, in this order");
     if (dim < 2 || dim > 3 || others < dim || others > dim + !known)
         return refuse(&r->in, NULL,
                       asked->dim != 0 ? "%d column%s, expected %d coordinates and perhaps a standard deviation"
@@ -528,8 +532,8 @@ static int read_value(struct table *r, const struct field *f, enum role role, do
                       role_name[role], shown, f->at, r->comma == r->in.line ? "comma" : "point",
                       r->comma < r->point ? r->comma : r->point, r->comma == r->in.line ? "point" : "comma");
     case OTHER_UNIT:
-        return refuse(&r->in, f->at, "%s: '%.*s' has another unit than %s, which stands behind other numbers", role_name[role], shown,
-                      f->at, r->unit);
+        return refuse(&r->in, f->at, "%s: '%.*s' has another unit than %s, which stands behind other numbers",
+                      role_name[role], shown, f->at, r->unit);
     case NUMBER:
         break;
     }
@@ -603,7 +607,8 @@ static int heading_fields(const struct table *r, const struct lead *lead, char s
 }
 
 /* Tells which columns are not used, and which are without being called x and y. */
-static void note_columns(const struct table *r, const struct columns *asked, const struct field *names, struct points *p)
+static void note_columns(const struct table *r, const struct columns *asked, const struct field *names,
+                         struct points *p)
 {
     char text[400] = "";
     const struct field *height = NULL;
@@ -717,14 +722,16 @@ static int read_headings(struct table *r, const struct columns *asked, const str
         if (k != names)
             note_of(p, "line %d, \"%.*s\", is passed over", r->lead[k].line, MOST_SHOWN, r->lead[k].text);
     if (r->pair > 0 && r->pair <= PAIRS - PLAIN)
-        note_of(p, "%s and %s are taken as they are, as coordinates x and y of a plane", pair_name[r->pair - 1][X], pair_name[r->pair - 1][Y]);
+        note_of(p, "%s and %s are taken as they are, as coordinates x and y of a plane", pair_name[r->pair - 1][X],
+                pair_name[r->pair - 1][Y]);
     if (names >= 0)
         return 0;
     if (asked->dim == 0 && are_cut_at_thousands(r, field, fields))
         return refuse_thousands(r);
     if (are_decimal_commas_beside_blanks(r, field, fields))
         return refuse(&r->in, NULL,
-                      "some commas have a blank behind them and others stand between digits; if these are decimal commas, expected "
+                      "some commas have a blank behind them and others stand between digits; if these are decimal "
+                      "commas, expected "
                       "semicolons or blanks alone between the fields");
     struct table here = *r;
     double first;
@@ -739,10 +746,12 @@ static void note_counting(const struct table *r, struct points *p)
     for (int i = 1; i < p->count && counting; i++)
         counting = p->at[i * p->dim] == p->at[0] + i;
     if (counting)
-        note_of(p,
-                "the first column, %g, %g, %g, ..., is taken as x%s; if it numbers the points, a line such as nr x y above "
-                "them says so",
-                p->at[0], p->at[p->dim], p->at[2 * p->dim], p->has_sigma ? " and the last one as the standard deviation" : "");
+        note_of(
+            p,
+            "the first column, %g, %g, %g, ..., is taken as x%s; if it numbers the points, a line such as nr x y above "
+            "them says so",
+            p->at[0], p->at[p->dim], p->at[2 * p->dim],
+            p->has_sigma ? " and the last one as the standard deviation" : "");
 }
 
 static int read_rows(struct table *r, const struct columns *asked, struct points *p)

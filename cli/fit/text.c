@@ -659,6 +659,7 @@ static void print_statistics(const struct fit *f)
     cagd_fit_conic conic = cagd_fit_conic_of(r);
     if (conic.kind != CAGD_FIT_NOT_QUADRATIC)
         say("Conic", "%s", conic.text);
+    print_circle(f);
 }
 
 static void print_history(const cagd_fit_result *r)

@@ -35,7 +35,7 @@ static void print_closing(const struct fit *f)
     case CAGD_FIT_CORNER:
         say("Corner", "the points come back to where they began, with a corner there%s",
             r->period > 0 || r->found.ellipse.whole ? ", which the closed curve rounds off"
-                          : ": the curve is open (--closed rounds the corner off)");
+                                                    : ": the curve is open (--closed rounds the corner off)");
         break;
     case CAGD_FIT_OPEN:
         if (r->period > 0)
@@ -215,18 +215,23 @@ static char *structure_of(const cagd_fit_runs *runs, int with_mean)
     FILE *out = text_open(&text, &size);
     const int counted = runs->probability < 0.01, local = runs->local_probability < 0.01;
     if (local && runs->local_probability < runs->probability) {
-        fprintf(out, "from t = %.4g to %.4g the curve passes %d points by on one side", runs->from, runs->to, runs->points);
+        fprintf(out, "from t = %.4g to %.4g the curve passes %d points by on one side", runs->from, runs->to,
+                runs->points);
         if (with_mean)
             fprintf(out, ", their mean is %.2g of its standard deviations from 0", runs->excess);
         fprintf(out, ", by chance that is so somewhere with probability %.1g", runs->local_probability);
     } else if (counted)
-        fprintf(out, "%d of %d neighbours lie on the same side, by chance that is so with probability %.1g", runs->same, runs->pairs,
-                runs->probability);
+        fprintf(out, "%d of %d neighbours lie on the same side, by chance that is so with probability %.1g", runs->same,
+                runs->pairs, runs->probability);
     else if (runs->next_probability < 0.01)
-        fprintf(out, "the distance of a point and that of the next have the correlation %.2f, by chance that is so with probability %.1g",
+        fprintf(out,
+                "the distance of a point and that of the next have the correlation %.2f, by chance that is so with "
+                "probability %.1g",
                 runs->next_correlation, runs->next_probability);
     else
-        fprintf(out, "the distances of points that are %d apart have the correlation %.2f, as of a wave, by chance that is so with probability %.1g",
+        fprintf(out,
+                "the distances of points that are %d apart have the correlation %.2f, as of a wave, by chance that is "
+                "so with probability %.1g",
                 runs->lag, runs->lag_correlation, runs->lag_probability);
     text_close(out, &text);
     return text;
@@ -240,16 +245,17 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
         return 0;
     if (q->problems & CAGD_FIT_EXCURSIONS && q->detour > 0)
         add(f, CAGD_FIT_EXCURSIONS, sentence, &count,
-            "from t = %.4g to %.4g, between two neighbouring points, it makes a detour of length %.3g that no points show", q->detour_from, q->detour_to,
-            q->detour);
+            "from t = %.4g to %.4g, between two neighbouring points, it makes a detour of length %.3g that no points "
+            "show",
+            q->detour_from, q->detour_to, q->detour);
     else if (q->problems & CAGD_FIT_EXCURSIONS)
         add(f, CAGD_FIT_EXCURSIONS, sentence, &count,
             "it is %.3g times as long as the polygon of the points in their order, with loops or excursions that no "
             "points show",
             q->length_ratio);
     if (q->problems & CAGD_FIT_LOOPS)
-        add(f, CAGD_FIT_LOOPS, sentence, &count, "it crosses itself %d time%s, the polygon of the points %d", q->crossings,
-            q->crossings == 1 ? "" : "s", q->crossings_of_points);
+        add(f, CAGD_FIT_LOOPS, sentence, &count, "it crosses itself %d time%s, the polygon of the points %d",
+            q->crossings, q->crossings == 1 ? "" : "s", q->crossings_of_points);
     if (q->problems & CAGD_FIT_GAPS)
         add(f, CAGD_FIT_GAPS, sentence, &count,
             "from t = %.4g to %.4g, %.2g of its length, it has no points and is only interpolation", q->gap_from,
@@ -274,7 +280,8 @@ int problems_of(const struct fit *f, char *sentence[MOST_PROBLEMS])
             "the curve is too simple");
     if (q->problems & CAGD_FIT_DEVIATIONS)
         add(f, CAGD_FIT_DEVIATIONS, sentence, &count,
-            "the distances are %.3g times as large as the given standard deviations say, by chance that is so less than once in a thousand times: these "
+            "the distances are %.3g times as large as the given standard deviations say, by chance that is so less "
+            "than once in a thousand times: these "
             "are too small, and with them standard errors and intervals, or the curve is too simple",
             sqrt(f->result->reduced_chi_squared));
     return count;
@@ -313,7 +320,8 @@ static void print_too_large(const struct fit *f)
 {
     if (f->quality.too_large)
         say("Deviations",
-            "the distances are %.2g times as large as the given standard deviations say, by chance that is so less than once in a thousand times: "
+            "the distances are %.2g times as large as the given standard deviations say, by chance that is so less "
+            "than once in a thousand times: "
             "these are too large, and with them standard errors and intervals",
             sqrt(f->result->reduced_chi_squared));
 }
@@ -332,7 +340,8 @@ static void print_strays(const struct fit *f)
     if (q->strays > CAGD_FIT_STRAYS)
         fprintf(out, " and %d more", q->strays - CAGD_FIT_STRAYS);
     text_close(out, &text);
-    say("Far off", "%s: farther than ten standard deviations, as the median of the distances has them; the curve follows %s", text,
+    say("Far off",
+        "%s: farther than ten standard deviations, as the median of the distances has them; the curve follows %s", text,
         q->strays == 1 ? "it" : "them");
     free(text);
 }
@@ -351,9 +360,9 @@ void print_quality(const struct fit *f)
     }
     text_close(out, &text);
     if (count == 0 && f->result->degrees_of_freedom <= 0)
-        say("Fit",
-            "nothing can be said of the distances: there are as many unknowns as equations, so the curve follows whatever "
-            "errors the points have; no loops or excursions, no gaps");
+        say("Fit", "nothing can be said of the distances: there are as many unknowns as equations, so the curve "
+                   "follows whatever "
+                   "errors the points have; no loops or excursions, no gaps");
     else if (count == 0)
         say("Fit", "nothing was found against it: no loops or excursions, no gaps%s",
             beneath_what(f) != NULL ? "; structure as below" : ", no structure in the distances");

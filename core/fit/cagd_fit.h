@@ -449,6 +449,35 @@ typedef struct cagd_fit_conic {
 
 CAGD_API cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
 
+/* Whether the points contradict that a conic in one segment in the plane is an arc of a circle (圆弧), and which circle comes closest to them.
+ *
+ * The circle minimises the sum of squared orthogonal distances over s_i^2; of 5 numbers of a conic it has 3.  known: the curve is a conic in
+ * one segment by least squares, all of it free, and a minimum, the curvature of the circle differs from 0 at 95 %, which tells it from a straight
+ * line also where the conic with its two numbers more does not, and by
+ *
+ *     F = (chi_squared of the circle - chi_squared of the conic)/2 / (chi_squared of the conic/(N - 5))
+ *
+ * with 2 and N - 5 degrees of freedom so large a difference comes about by chance more than once in twenty times; from F a common factor of
+ * given deviations drops out.  Otherwise all is 0.
+ *
+ * Intervals.  Of a short arc the radius R and the distance of the centre are determined through the height of the arc, and so by their
+ * reciprocals: linear in the errors are the curvature k = 1/R, the place of the arc's middle M across the curve, h, and its direction there, theta.
+ * 95 % of R is all R > 0 with |1/R - k| <= q s_k; a coordinate x of the centre is where the linear form k (x - M_x) - (1 + k h) n_x does not differ
+ * from 0 by more than q of its standard errors, n from M to the centre (Fieller's theorem).  There are no intervals where the
+ * distances are more than a twentieth of the radius.  Source: fieller-1954. */
+typedef struct cagd_fit_circle {
+    int known;
+    cagd_fit_number centre[2], radius;
+    double sweep;      /* how far around the feet of the points go, in degrees */
+    double rms, ratio; /* of its distances; F                                  */
+    int freedom;       /* N - 5                                                */
+    double probability; /* of so large an F, or a larger one, by chance         */
+} cagd_fit_circle;
+
+/* `data` and `options` as for the fit.  Statuses: OK, NO_MEMORY. */
+CAGD_API cagd_status cagd_fit_circle_of(const cagd_fit_data *data, const cagd_fit_options *options,
+                                        const cagd_fit_result *result, cagd_fit_circle *circle);
+
 /* Whether the fitted curve turns as at a cusp (尖点), and at which parameter, *t.
  *
  * Where the speed |C'| is smallest, C' is orthogonal to C'', and the radius of curvature is |C'|^2/|C''|.  Feet, rank
@@ -460,14 +489,15 @@ CAGD_API int cagd_fit_has_cusp(const cagd_fit_result *result, double *t);
 /* How long the curve is, for a polygon of points in their order of length 1; where neighbours are nearer than their errors, of means of
  * neighbours.  A curve that follows its points is hardly
  * longer than their polygon, which errors make longer still: where neighbours are farther apart than their errors and the curve turns
- * between them by at most 130 degrees, an arc, the ratio is at most 1.26.  A larger one says that the curve has loops or
+ * between them by at most 130 degrees, an arc, the ratio is at most CAGD_FIT_LONGEST_RATIO.  A larger one says that the curve has loops or
  * excursions that no points show.  Of points in no order it says nothing.  NaN where the length is not finite. */
+#define CAGD_FIT_LONGEST_RATIO 1.26
 CAGD_API double cagd_fit_length_ratio(const cagd_fit_data *data, const cagd_fit_result *result);
 
 /* What is not good about a fit, whatever is known of its minimum; added up.
  *
- * EXCURSIONS   the curve is longer than 1.26 times the polygon of the points, cagd_fit_length_ratio, or makes a detour between two neighbouring
- * feet: it is more than 1.26 times as long there as a curve that turns no more than their chord and those beside it, and ten times the root mean
+ * EXCURSIONS   the curve is longer than CAGD_FIT_LONGEST_RATIO times the polygon of the points, cagd_fit_length_ratio, or makes a detour between two neighbouring
+ * feet: it is more than CAGD_FIT_LONGEST_RATIO times as long there as a curve that turns no more than their chord and those beside it, and ten times the root mean
  * square of the distances longer
  * LOOPS        in the plane: it crosses itself more often than that polygon does
  * GAPS         between two neighbouring feet lies more than a tenth of its length, and more than four times the usual part of it

@@ -8,8 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double LONGEST = 1.26; /* see cagd_fit_length_ratio */
-
 /* Of points in no order the polygon goes from foot to foot.  NaN when there is no memory. */
 static double ratio_by_feet(const cagd_fit_data *data, const cagd_fit_result *r)
 {
@@ -33,7 +31,7 @@ int fit_is_good(const cagd_fit_data *data, const cagd_fit_options *options, cons
 {
     if (!cagd_fit_is_minimum(r) || !isfinite(r->chi_squared))
         return 0;
-    return (options->unordered ? ratio_by_feet(data, r) : cagd_fit_length_ratio(data, r)) <= LONGEST;
+    return (options->unordered ? ratio_by_feet(data, r) : cagd_fit_length_ratio(data, r)) <= CAGD_FIT_LONGEST_RATIO;
 }
 
 cagd_status fit_problems_of(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,

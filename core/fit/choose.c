@@ -14,7 +14,7 @@
 
 /* choose.c -- which curve is fitted where the options leave that open. */
 
-enum { FEW = 64 }; /* points: of fewer the distances may look like noise though they are none */
+enum { FEW = 64 };                /* points: of fewer the distances may look like noise though they are none */
 static const double SMALL = 0.02; /* of the width of the points: where distances are larger, others have a chance */
 
 /* The widest side of the box about the points. */
@@ -114,9 +114,13 @@ static cagd_status compete_within(const cagd_fit_data *data, const cagd_fit_opti
     REQUIRE(status == CAGD_OK, (cagd_fit_free(one), status));
     const int counts = fit_is_good(data, options, one) && (within == 0 || one->largest <= within);
     const double score = !counts ? INFINITY : within > 0 ? own_count(one) : fit_score(data, one);
-    cagd_fit_candidate c = {
-        "", (int)lrint(one->effective), cagd_fit_is_minimum(one), counts ? problems & (beneath ? ~CAGD_FIT_STRUCTURE : ~0) : ~0,
-        counts && beneath, score, one->rms};
+    cagd_fit_candidate c = {"",
+                            (int)lrint(one->effective),
+                            cagd_fit_is_minimum(one),
+                            counts ? problems & (beneath ? ~CAGD_FIT_STRUCTURE : ~0) : ~0,
+                            counts && beneath,
+                            score,
+                            one->rms};
     snprintf(c.name, sizeof c.name, "%s", name);
     cagd_fit_candidate *b = &found->candidate[0];
     if (*best != NULL && within == 0) {

@@ -7,7 +7,7 @@
 
 enum { FEW = 5, MANY = 40 }; /* sides of the polygon over a chord, at first and where that is too long */
 
-static const double LONGER = 1.26, OF_RMS = 10;
+static const double OF_RMS = 10;
 
 /* The places of the feet on the curve in the order of their parameters. */
 typedef struct path {
@@ -87,7 +87,7 @@ static void find(const path *p, double rms, fit_detour *detour)
         if (!isfinite(most) || !(length_over(p, i, FEW) > most))
             continue;
         const double length = length_over(p, i, MANY), excess = length - most;
-        if (excess > detour->excess && length > LONGER * most && excess > OF_RMS * rms)
+        if (excess > detour->excess && length > CAGD_FIT_LONGEST_RATIO * most && excess > OF_RMS * rms)
             *detour = (fit_detour){length, excess, p->t[i], i + 1 < p->count ? p->t[i + 1] : p->t[0]};
     }
 }

@@ -125,7 +125,8 @@ static cagd_status try_knots(fit_search *s, const fit_knots *k, const cagd_fit_r
     cagd_status status = fit_search_over(s, k, lowest, &next);
     REQUIRE(status == CAGD_OK, status);
     *better = fit_search_score(s, k, next) < s->score &&
-              !(shape && fit_search_problems(s, next) & ~fit_search_problems(s, lowest) & (s->detours ? SHAPE : SHAPE & ~CAGD_FIT_EXCURSIONS)) &&
+              !(shape && fit_search_problems(s, next) & ~fit_search_problems(s, lowest) &
+                             (s->detours ? SHAPE : SHAPE & ~CAGD_FIT_EXCURSIONS)) &&
               fit_search_is_best(s, k, next);
     if (*better && s->best != lowest)
         cagd_fit_free(s->best);
@@ -215,7 +216,9 @@ static cagd_status search_once(fit_search *s)
 cagd_status fit_search_knots(fit_search *s)
 {
     cagd_status status = search_once(s);
-    REQUIRE(status == CAGD_OK && s->best != NULL && !(s->within > 0) && fit_search_problems(s, s->best) & CAGD_FIT_EXCURSIONS, status);
+    REQUIRE(status == CAGD_OK && s->best != NULL && !(s->within > 0) &&
+                fit_search_problems(s, s->best) & CAGD_FIT_EXCURSIONS,
+            status);
     fit_search again = *s; /* once more among those without a detour */
     again.best = NULL, again.shapely = FIT_NO_FIGURE, again.detours = 1;
     status = search_once(&again);

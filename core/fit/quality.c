@@ -14,7 +14,8 @@
 
 enum { SIDES = 600, PER_PIECE = 24, FEW = 30 };
 
-static const double LONGEST = 1.26, BY_CHANCE = 0.01, HARDLY_BY_CHANCE = 0.001, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6, COARSE = 0.02, STRAY = 10;
+static const double BY_CHANCE = 0.01, HARDLY_BY_CHANCE = 0.001, PART = 0.1, USUAL = 4, MANY = 0.05, DEVIATIONS = 6,
+                    COARSE = 0.02, STRAY = 10;
 
 typedef struct polygon {
     int corners, dim;
@@ -218,7 +219,8 @@ static void find_far(const cagd_fit_data *data, const cagd_fit_result *r, cagd_f
 /* The distance of a point in deviations; infinite beyond the ends. */
 static double in_deviations(const cagd_fit_data *data, const cagd_fit_result *r, double deviation, int i)
 {
-    return i >= 0 && i < r->count ? fabs(r->distances[i]) / deviation / (data->sigma != NULL ? data->sigma[i] : 1) : INFINITY;
+    return i >= 0 && i < r->count ? fabs(r->distances[i]) / deviation / (data->sigma != NULL ? data->sigma[i] : 1)
+                                  : INFINITY;
 }
 
 /* Of a point farther than STRAY whether it is so alone, or with at most two neighbours of more than half of that, where those beside them are within
@@ -228,17 +230,20 @@ static int is_jump(const cagd_fit_data *data, const cagd_fit_result *r, double d
     enum { LONGEST_JUMP = 3 };
     const double quiet = 2;
     int low = i, high = i;
-    if (!(in_deviations(data, r, deviation, i - 1) > STRAY && i > 0) && !(in_deviations(data, r, deviation, i + 1) > STRAY && i + 1 < r->count))
+    if (!(in_deviations(data, r, deviation, i - 1) > STRAY && i > 0) &&
+        !(in_deviations(data, r, deviation, i + 1) > STRAY && i + 1 < r->count))
         return 1;
     while (low > 0 && in_deviations(data, r, deviation, low - 1) > STRAY / 2)
         low--;
     while (high + 1 < r->count && in_deviations(data, r, deviation, high + 1) > STRAY / 2)
         high++;
-    return high - low < LONGEST_JUMP && in_deviations(data, r, deviation, low - 1) <= quiet && in_deviations(data, r, deviation, high + 1) <= quiet;
+    return high - low < LONGEST_JUMP && in_deviations(data, r, deviation, low - 1) <= quiet &&
+           in_deviations(data, r, deviation, high + 1) <= quiet;
 }
 
 /* Points that errors of another kind have put far off.  Where most of them are no jumps the curve has missed something. */
-static cagd_status find_strays(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r, cagd_fit_quality *q)
+static cagd_status find_strays(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
+                               cagd_fit_quality *q)
 {
     if (options->loss != CAGD_FIT_SQUARES || r->points_on_curve || r->degrees_of_freedom < FEW)
         return CAGD_OK;
@@ -259,7 +264,8 @@ static cagd_status find_strays(const cagd_fit_data *data, const cagd_fit_options
 
 /* Whether the given deviations are too small for the distances, which is a problem, or too large.  The cube root of chi-squared over its degrees
  * of freedom is about normal.  Source: wilson-hilferty-1931. */
-static void find_deviations(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r, cagd_fit_quality *q)
+static void find_deviations(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *r,
+                            cagd_fit_quality *q)
 {
     const double d = r->degrees_of_freedom, part = 2 / (9 * d);
     if (data->sigma == NULL || options->loss != CAGD_FIT_SQUARES || !(d > 0))
@@ -280,8 +286,8 @@ static int is_wave(const cagd_fit_data *data, const cagd_fit_result *r, const ca
 /* Structure: a problem unless all distances are beneath what the points are given to. */
 static void find_structure(const cagd_fit_data *data, const cagd_fit_result *r, cagd_fit_quality *q)
 {
-    const int structure = !r->points_on_curve &&
-                          (q->runs.probability < BY_CHANCE || q->runs.local_probability < BY_CHANCE || is_wave(data, r, &q->runs));
+    const int structure = !r->points_on_curve && (q->runs.probability < BY_CHANCE ||
+                                                  q->runs.local_probability < BY_CHANCE || is_wave(data, r, &q->runs));
     q->beneath = structure ? fit_beneath(data, r) : CAGD_FIT_BENEATH_NOTHING;
     q->problems |= structure && q->beneath == CAGD_FIT_BENEATH_NOTHING ? CAGD_FIT_STRUCTURE : 0;
 }
@@ -315,8 +321,8 @@ cagd_status cagd_fit_quality_of(const cagd_fit_data *data, const cagd_fit_option
             }
         }
         find_far(&own, r, q);
-        q->problems |= q->length_ratio > LONGEST ? CAGD_FIT_EXCURSIONS : 0;
-        q->detour = q->length_ratio > LONGEST ? 0 : q->detour; /* of one of many nothing is said */
+        q->problems |= q->length_ratio > CAGD_FIT_LONGEST_RATIO ? CAGD_FIT_EXCURSIONS : 0;
+        q->detour = q->length_ratio > CAGD_FIT_LONGEST_RATIO ? 0 : q->detour; /* of one of many nothing is said */
         q->problems |= q->crossings > q->crossings_of_points ? CAGD_FIT_LOOPS : 0;
         find_structure(&own, r, q);
         find_deviations(&own, options, r, q);

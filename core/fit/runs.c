@@ -50,7 +50,8 @@ static void fill(const cagd_fit_data *data, const cagd_fit_result *r, double sca
         const int i = list[k].index, j = s->count;
         const double unit = scale * (data->sigma != NULL ? data->sigma[i] : 1), size = fabs(r->distances[i]) / unit,
                      part = size > CLIPPED ? CLIPPED / size : 1;
-        if (i == r->end_points[0] || i == r->end_points[1] || r->foot_at_end[i] || (r->outlier != NULL && r->outlier[i]))
+        if (i == r->end_points[0] || i == r->end_points[1] || r->foot_at_end[i] ||
+            (r->outlier != NULL && r->outlier[i]))
             continue;
         s->foot[j] = list[k].key;
         for (int c = 0; c < dim; c++)
@@ -224,7 +225,8 @@ static void find_local(const cagd_fit_result *r, double deviation, sequence *s, 
     const double small = 0.001;
     add_up(s);
     const double windows = find_part(r, deviation, s, runs), z = runs->excess;
-    runs->local_probability = windows == 0 ? NAN : fmin(1, windows * (s->dim == 1 ? erfc(z / sqrt(2)) : exp(-z * z / 2)));
+    runs->local_probability =
+        windows == 0 ? NAN : fmin(1, windows * (s->dim == 1 ? erfc(z / sqrt(2)) : exp(-z * z / 2)));
     if (runs->local_probability > small)
         runs->local_probability = z > 0 ? fmin(runs->local_probability, chance_of(s, z)) : 1;
 }
@@ -253,7 +255,8 @@ cagd_status cagd_fit_runs_of(const cagd_fit_data *data, const cagd_fit_options *
 {
     const int n = r->count, dim = r->curve.dim;
     keyed *list = malloc(((size_t)n + 1) * sizeof *list);
-    *runs = (cagd_fit_runs){.probability = NAN, .local_probability = NAN, .next_probability = NAN, .lag_probability = NAN};
+    *runs =
+        (cagd_fit_runs){.probability = NAN, .local_probability = NAN, .next_probability = NAN, .lag_probability = NAN};
     REQUIRE(list != NULL, CAGD_NO_MEMORY);
     for (int i = 0; i < n; i++)
         list[i] = (keyed){r->feet[i], i};

@@ -64,7 +64,8 @@ int fit_search_has_no_loops(const fit_search *s, const cagd_fit_result *r)
 int fit_search_is_shapely(const fit_search *s, const cagd_fit_result *r, int cusp_too)
 {
     double t;
-    return !(fit_search_problems(s, r) & (s->detours ? FIT_FIGURE : FIT_FIGURE & ~CAGD_FIT_EXCURSIONS)) && !(cusp_too && cagd_fit_has_cusp(r, &t));
+    return !(fit_search_problems(s, r) & (s->detours ? FIT_FIGURE : FIT_FIGURE & ~CAGD_FIT_EXCURSIONS)) &&
+           !(cusp_too && cagd_fit_has_cusp(r, &t));
 }
 
 int fit_search_may_be_best(const fit_search *s, const cagd_fit_result *r)
@@ -84,8 +85,9 @@ int fit_search_is_within(const fit_search *s, const cagd_fit_result *r)
 static double score_of_shape(const fit_search *s, const cagd_fit_result *r)
 {
     const double score = fit_score(s->data, r);
-    return s->best != NULL && score >= s->score ? score
-                                                : score + (fit_search_problems(s, r) & ~CAGD_FIT_EXCURSIONS ? FIT_VERY_STRONG : 0);
+    return s->best != NULL && score >= s->score
+               ? score
+               : score + (fit_search_problems(s, r) & ~CAGD_FIT_EXCURSIONS ? FIT_VERY_STRONG : 0);
 }
 
 double fit_search_score(const fit_search *s, const fit_knots *k, const cagd_fit_result *r)

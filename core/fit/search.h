@@ -10,7 +10,8 @@
 
 enum {
     FIT_MOST_WORK = 4000000, /* points times the square of knots, up to which knots are taken out one by one */
-    FIT_FIGURE = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS | CAGD_FIT_GAPS /* what is not good about a curve alone, not about control points and feet */
+    FIT_FIGURE = CAGD_FIT_EXCURSIONS | CAGD_FIT_LOOPS |
+                 CAGD_FIT_GAPS /* what is not good about a curve alone, not about control points and feet */
 };
 
 /* What a curve is passed over for: FIT_FIGURE, or a cusp as well. */
@@ -26,9 +27,9 @@ typedef struct fit_search {
     double within;  /* with a tolerance, the distance that every point is to keep within       */
     int good_alone; /* with a tolerance, whether a minimum that is not good or has loops is passed over too */
     int shapely;    /* what a curve is passed over for: nothing, or one of the two above    */
-    int detours;    /* whether a detour between two neighbours, all that excursions of a good curve are, counts on the way */
-    int scattered;  /* how many neighbours it takes until points do not scatter by more than they are apart, see means.h */
-    int dense;      /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
+    int detours; /* whether a detour between two neighbours, all that excursions of a good curve are, counts on the way */
+    int scattered; /* how many neighbours it takes until points do not scatter by more than they are apart, see means.h */
+    int dense;     /* with a tolerance, whether segments and degrees of freedom may be as few as they can */
     double score;
     fit_knots at; /* of the best one */
 } fit_search;
@@ -36,10 +37,12 @@ typedef struct fit_search {
 /* ---- fits on the way ------------------------------------------------------------------------------------- */
 
 /* A fit among many, without intervals by the profile, which takes much longer than one that will not converge is worth. */
-cagd_status fit_search_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result, int *where);
+cagd_status fit_search_fit(const cagd_fit_data *data, const cagd_fit_options *options, cagd_fit_result **result,
+                           int *where);
 
 /* The spline on these knots, from the one before if there is one. */
-cagd_status fit_search_over(const fit_search *s, const fit_knots *k, const cagd_fit_result *from, cagd_fit_result **result);
+cagd_status fit_search_over(const fit_search *s, const fit_knots *k, const cagd_fit_result *from,
+                            cagd_fit_result **result);
 
 /* Whether a curve with so many unknowns leaves half of the equations, of a dense one whether there are as many equations. */
 int fit_search_has_room(const fit_search *s, const fit_knots *k);

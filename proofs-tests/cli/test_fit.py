@@ -649,6 +649,33 @@ class Results(Case):
                       f"point {largest['largest_point']} (line {largest['largest_line']})", "7 of 7"]:
             self.assertIn(words, text)
 
+    def arc(self, minor, degrees, noise):
+        """60 points of an arc of the ellipse with semi-axes 25 and `minor` about (3, 1)."""
+        rng = random.Random(5)
+        at = [math.radians(20 + degrees * i / 59) for i in range(60)]
+        return table([(3 + 25 * math.cos(a) + rng.gauss(0, noise), 1 + minor * math.sin(a) + rng.gauss(0, noise)) for a in at])
+
+    def test_a_short_arc_of_a_circle_is_told(self):
+        for degrees in 60, 90:
+            circle = self.fit(self.arc(25, degrees, 0.02), "--no-verify")["circle"]
+            for x, truth in (circle["radius"], 25), (circle["centre"][0], 3), (circle["centre"][1], 1):
+                self.assertTrue(x["low"] < truth < x["high"] and x["high"] - x["low"] < 0.4, (degrees, circle))
+            self.assertAlmostEqual(circle["sweep"], degrees, delta=1)
+            self.assertGreater(circle["probability"], 0.05)
+        said = " ".join(run("fit", self.file(self.arc(25, 90, 0.02)), "--no-verify").stdout.decode().split())
+        self.assertRegex(said, r"Circle radius 2[45]\.\d+ ± 0\.\d+; centre x [23]\.\d+ ± 0\.\d+; centre y [01]\.\d+ ± 0\.\d+, at 95 %; an arc of .* not contradicted")
+
+    def test_other_conics_and_lines_are_no_circles(self):
+        for text in self.arc(18, 90, 0.02), self.arc(0, 120, 0.02):
+            self.assertIsNone(self.fit(text, "--no-verify")["circle"])
+        self.assertIsNone(self.fit(self.arc(25, 90, 0.02), "--no-verify", "--degree", "3")["circle"])
+        self.assertIsNone(self.fit(self.arc(25, 90, 0.02), "--no-verify", "--ends", "exact")["circle"])
+
+    def test_an_arc_too_short_for_its_curvature(self):
+        """A bend of 0.6 times the noise: a straight line, or a conic without such numbers, never a circle with a finite interval that is wrong."""
+        circle = self.fit(self.arc(25, 5, 0.02), "--no-verify")["circle"]
+        self.assertTrue(circle is None or circle["radius"]["low"] is None or circle["radius"]["low"] < 25 < circle["radius"]["high"], circle)
+
     def test_a_loose_tolerance_still_ends_at_orthogonal_feet(self):
         for tolerance in "1e-8", "1e-6", "1e-3":
             text = run("fit", ARCH, "--tolerance", tolerance).stdout.decode()

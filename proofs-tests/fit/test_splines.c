@@ -16,7 +16,6 @@
 enum { FEWEST = 5, MOST = 40, EACH = 12, DEGREE = 3 };
 static const double NOISE = 0.01;
 
-
 /* A walk whose steps turn by at most 60 degrees, and N points of the spline over it. */
 static int make_points(int count, double Q[])
 {
@@ -55,7 +54,7 @@ int main(void)
         options.free &= ~CAGD_FIT_WEIGHTS;
         cagd_status status = cagd_fit_choose(&data, &options, &choices, &fit, NULL);
         const int good = points > 0 && status == CAGD_OK && cagd_fit_is_minimum(fit) && fit->curve.count == count &&
-                         fit->rms < 1.5 * NOISE && cagd_fit_length_ratio(&data, fit) < 1.26;
+                         fit->rms < 1.5 * NOISE && cagd_fit_length_ratio(&data, fit) < CAGD_FIT_LONGEST_RATIO;
         if (!good) {
             printf("curve %d, %d control points: %s, rms %g, length %g\n", k, count,
                    fit != NULL ? fit->message : cagd_status_text(status), fit != NULL ? fit->rms : NAN,

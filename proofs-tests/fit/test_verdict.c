@@ -38,7 +38,8 @@ static double distance_from(const cagd_spline *c, const double q[2])
     const double a = c->knots[c->degree], b = c->knots[c->count];
     double nearest = HUGE_VAL, x[2];
     for (int i = 0; i <= PLACES; i++)
-        if (cagd_spline_point(c, i < PLACES ? a + (b - a) * i / PLACES : b, i < PLACES ? CAGD_RIGHT : CAGD_LEFT, x) == CAGD_OK)
+        if (cagd_spline_point(c, i < PLACES ? a + (b - a) * i / PLACES : b, i < PLACES ? CAGD_RIGHT : CAGD_LEFT, x) ==
+            CAGD_OK)
             nearest = fmin(nearest, hypot(x[0] - q[0], x[1] - q[1]));
     return nearest;
 }
@@ -65,11 +66,13 @@ static int count_seen(int ring, double height, int draws)
         cagd_fit_result *fit;
         cagd_fit_quality quality;
         options.without_intervals = 1;
-        if (cagd_fit_choose(&data, &options, &choices, &fit, NULL) != CAGD_OK || cagd_fit_quality_of(&data, &options, fit, &quality) != CAGD_OK) {
+        if (cagd_fit_choose(&data, &options, &choices, &fit, NULL) != CAGD_OK ||
+            cagd_fit_quality_of(&data, &options, fit, &quality) != CAGD_OK) {
             ask(0, "a curve is chosen");
             return -1;
         }
-        seen += !cagd_fit_is_minimum(fit) || quality.problems != 0 || (height > 0 && distance_from(&fit->curve, tip) < NOISE);
+        seen += !cagd_fit_is_minimum(fit) || quality.problems != 0 ||
+                (height > 0 && distance_from(&fit->curve, tip) < NOISE);
         cagd_fit_free(fit);
     }
     return seen;
@@ -77,9 +80,11 @@ static int count_seen(int ring, double height, int draws)
 
 static void test_chance(void)
 {
-    const int circles = count_seen(1, 0, DRAWS), parabolas = count_seen(0, 0, DRAWS), noses = count_seen(1, 2 * NOISE, NOSES);
-    printf("of %d circles %d are not good, of %d parabolas %d; of %d noses of two deviations, a twentieth of the way around, %d are seen\n", DRAWS,
-           circles, DRAWS, parabolas, NOSES, noses);
+    const int circles = count_seen(1, 0, DRAWS), parabolas = count_seen(0, 0, DRAWS),
+              noses = count_seen(1, 2 * NOISE, NOSES);
+    printf("of %d circles %d are not good, of %d parabolas %d; of %d noses of two deviations, a twentieth of the way "
+           "around, %d are seen\n",
+           DRAWS, circles, DRAWS, parabolas, NOSES, noses);
     ask(20 * circles <= DRAWS && 20 * parabolas <= DRAWS, "true models are called not good one time in twenty at most");
     ask(noses >= 35, "a nose is seen by more than one of three");
 }
@@ -102,7 +107,8 @@ static void test_lines(void)
         cagd_fit_result *fit;
         cagd_fit_quality quality = {.problems = ~0};
         options.without_intervals = 1;
-        if (cagd_fit_choose(&data, &options, &choices, &fit, NULL) != CAGD_OK || cagd_fit_quality_of(&data, &options, fit, &quality) != CAGD_OK) {
+        if (cagd_fit_choose(&data, &options, &choices, &fit, NULL) != CAGD_OK ||
+            cagd_fit_quality_of(&data, &options, fit, &quality) != CAGD_OK) {
             ask(0, "a curve is chosen");
             return;
         }
@@ -130,7 +136,8 @@ static int has_detour(double across, double up, double from, double to)
     const cagd_spline curve = {DEGREE, COUNT, 2, U, P, NULL};
     for (int i = 0; i <= PLACES; i++) {
         const double t = (double)i / PLACES * (COUNT - DEGREE);
-        if (!(t > from && t < to) && cagd_spline_point(&curve, t, i < PLACES ? CAGD_RIGHT : CAGD_LEFT, Q + 2 * n) == CAGD_OK)
+        if (!(t > from && t < to) &&
+            cagd_spline_point(&curve, t, i < PLACES ? CAGD_RIGHT : CAGD_LEFT, Q + 2 * n) == CAGD_OK)
             n++;
     }
     const cagd_fit_data data = {n, 2, Q, NULL};
@@ -140,9 +147,11 @@ static int has_detour(double across, double up, double from, double to)
     options.initial = &curve;
     options.free = CAGD_FIT_END_POINTS;
     options.without_intervals = 1;
-    ask(cagd_fit(&data, &options, &fit, NULL) == CAGD_OK && cagd_fit_quality_of(&data, &options, fit, &quality) == CAGD_OK, "a fit");
+    ask(cagd_fit(&data, &options, &fit, NULL) == CAGD_OK &&
+            cagd_fit_quality_of(&data, &options, fit, &quality) == CAGD_OK,
+        "a fit");
     cagd_fit_free(fit);
-    ask(quality.length_ratio < 1.26, "the whole is no longer than its points");
+    ask(quality.length_ratio < CAGD_FIT_LONGEST_RATIO, "the whole is no longer than its points");
     ask((quality.detour > 0) == ((quality.problems & CAGD_FIT_EXCURSIONS) != 0), "a detour is an excursion");
     return quality.detour > 0;
 }
@@ -171,35 +180,46 @@ static cagd_fit_quality quality_of(double height, double off, double unit, doubl
     cagd_fit_options options = cagd_fit_defaults();
     options.free &= ~CAGD_FIT_WEIGHTS;
     options.without_intervals = 1;
-    ask(cagd_fit(&data, &options, &fit, NULL) == CAGD_OK && cagd_fit_quality_of(&data, &options, fit, &quality) == CAGD_OK, "a fit");
+    ask(cagd_fit(&data, &options, &fit, NULL) == CAGD_OK &&
+            cagd_fit_quality_of(&data, &options, fit, &quality) == CAGD_OK,
+        "a fit");
     ask(quality.runs.probability < 0.01 || quality.runs.local_probability < 0.01, "there is structure");
     cagd_fit_free(fit);
     return quality;
 }
 
-static int is_told(cagd_fit_quality q, cagd_fit_beneath beneath) { return q.beneath == beneath && !(q.problems & CAGD_FIT_STRUCTURE); }
-static int counts(cagd_fit_quality q) { return q.beneath == CAGD_FIT_BENEATH_NOTHING && (q.problems & CAGD_FIT_STRUCTURE) != 0; }
+static int is_told(cagd_fit_quality q, cagd_fit_beneath beneath)
+{
+    return q.beneath == beneath && !(q.problems & CAGD_FIT_STRUCTURE);
+}
+static int counts(cagd_fit_quality q)
+{
+    return q.beneath == CAGD_FIT_BENEATH_NOTHING && (q.problems & CAGD_FIT_STRUCTURE) != 0;
+}
 
 static void test_beneath(void)
 {
     ask(is_told(quality_of(1, 1e-7, 0, 0), CAGD_FIT_BENEATH_SIZE), "structure of 1e-7 of the extent is told");
     ask(is_told(quality_of(1, 8e-6, 0, 0), CAGD_FIT_BENEATH_SIZE), "so is that of 0.8e-5");
     ask(counts(quality_of(1, 2e-5, 0, 0)), "that of 2e-5 counts");
-    ask(is_told(quality_of(0.05, 5e-7, 0, 0), CAGD_FIT_BENEATH_SIZE), "that of points with a width of 0.02, 1e-6 of which it is beneath, is told");
+    ask(is_told(quality_of(0.05, 5e-7, 0, 0), CAGD_FIT_BENEATH_SIZE),
+        "that of points with a width of 0.02, 1e-6 of which it is beneath, is told");
     ask(counts(quality_of(0.05, 5e-6, 0, 0)), "that of 2e-4 of the width counts");
     ask(counts(quality_of(0, 1e-6, 0, 0)), "that of points along a straight line, which is all their form, counts");
-    ask(is_told(quality_of(1, 0.001, 0, 0.0015), CAGD_FIT_BENEATH_DEVIATIONS), "structure within the given deviations is told");
+    ask(is_told(quality_of(1, 0.001, 0, 0.0015), CAGD_FIT_BENEATH_DEVIATIONS),
+        "structure within the given deviations is told");
     ask(counts(quality_of(1, 0.001, 0, 0.0005)), "beyond them it counts");
     ask(counts(quality_of(1, 1e-7, 0, 1e-8)), "so it does where deviations are smaller than the size asks for");
-    ask(is_told(quality_of(1, 0.0015, 0.01, 0), CAGD_FIT_BENEATH_DIGITS), "structure within the rounding of two decimal places is told");
+    ask(is_told(quality_of(1, 0.0015, 0.01, 0), CAGD_FIT_BENEATH_DIGITS),
+        "structure within the rounding of two decimal places is told");
     ask(counts(quality_of(1, 0.01, 0.01, 0)), "beyond it it counts");
 }
 
 /* ---- few points ---------------------------------------------------------------------------------------------- */
 
 /* What is chosen for `count` points of a curve, with errors of `noise` and with deviations unless these are 0. */
-static cagd_fit_quality choose_for(int count, void (*curve)(double u, double q[2]), int closed, double noise, double deviation, int draw,
-                                   cagd_fit_result **fit)
+static cagd_fit_quality choose_for(int count, void (*curve)(double u, double q[2]), int closed, double noise,
+                                   double deviation, int draw, cagd_fit_result **fit)
 {
     cagd_fit_quality quality = {.problems = ~0};
     const cagd_fit_choices choices = cagd_fit_choices_all();
@@ -214,12 +234,16 @@ static cagd_fit_quality choose_for(int count, void (*curve)(double u, double q[2
     const cagd_fit_data data = {count, 2, Q, deviation > 0 ? sigma : NULL};
     options.without_intervals = 1;
     *fit = NULL;
-    ask(cagd_fit_choose(&data, &options, &choices, fit, NULL) == CAGD_OK && cagd_fit_quality_of(&data, &options, *fit, &quality) == CAGD_OK,
+    ask(cagd_fit_choose(&data, &options, &choices, fit, NULL) == CAGD_OK &&
+            cagd_fit_quality_of(&data, &options, *fit, &quality) == CAGD_OK,
         "a curve is chosen");
     return quality;
 }
 
-static int is_spline(const cagd_fit_result *fit) { return fit != NULL && !fit->found.ellipse.known && fit->curve.degree == 3; }
+static int is_spline(const cagd_fit_result *fit)
+{
+    return fit != NULL && !fit->found.ellipse.known && fit->curve.degree == 3;
+}
 
 static void on_egg(double u, double q[2])
 {
@@ -227,7 +251,10 @@ static void on_egg(double u, double q[2])
 }
 
 static void on_cubic(double u, double q[2]) { q[0] = u, q[1] = u * (1 - u) + 0.1 * u * u * u; }
-static void on_five(double u, double q[2]) { q[0] = 30 * u, q[1] = 0.05 * sin(12 * PI * u); } /* five points a wave, of 31 */
+static void on_five(double u, double q[2])
+{
+    q[0] = 30 * u, q[1] = 0.05 * sin(12 * PI * u);
+} /* five points a wave, of 31 */
 static void on_circle(double u, double q[2]) { on_ring(0, u, q); }
 
 /* Exact points, too few for the sides of neighbours to tell anything. */
@@ -248,8 +275,10 @@ static void test_few(void)
     for (int i = 0; i < 31; i++)
         on_five(i / 30.0, Q + 2 * i);
     const cagd_fit_data data = {31, 2, Q, NULL};
-    ask(cagd_fit(&data, &options, &fit, NULL) == CAGD_OK && cagd_fit_quality_of(&data, &options, fit, &q) == CAGD_OK, "a line is fitted");
-    ask(q.problems & CAGD_FIT_STRUCTURE && q.runs.lag == 5 && !(q.runs.probability < 0.01) && !(q.runs.local_probability < 0.01),
+    ask(cagd_fit(&data, &options, &fit, NULL) == CAGD_OK && cagd_fit_quality_of(&data, &options, fit, &q) == CAGD_OK,
+        "a line is fitted");
+    ask(q.problems & CAGD_FIT_STRUCTURE && q.runs.lag == 5 && !(q.runs.probability < 0.01) &&
+            !(q.runs.local_probability < 0.01),
         "a wave of five points is seen by what is five apart, though neighbours say nothing");
     cagd_fit_free(fit);
 }
@@ -267,7 +296,8 @@ static void test_few_by_chance(void)
         splines += is_spline(fit);
         cagd_fit_free(fit);
     }
-    printf("of %d circles of 25 points %d are not good, of %d parabolas %d; %d are taken for splines\n", DRAWS, circles, DRAWS, parabolas, splines);
+    printf("of %d circles of 25 points %d are not good, of %d parabolas %d; %d are taken for splines\n", DRAWS, circles,
+           DRAWS, parabolas, splines);
     ask(20 * circles <= DRAWS && 20 * parabolas <= DRAWS && 20 * splines <= 2 * DRAWS, "so are those of few points");
 }
 
@@ -278,7 +308,8 @@ static void test_deviations(void)
     cagd_fit_result *fit;
     int alarms = 0;
     cagd_fit_quality q = choose_for(30, on_parabola, 0, NOISE, NOISE / 50, 0, &fit);
-    ask(q.problems == CAGD_FIT_DEVIATIONS && fit->curve.degree <= 2, "deviations fifty times too small count, and ask for no spline");
+    ask(q.problems == CAGD_FIT_DEVIATIONS && fit->curve.degree <= 2,
+        "deviations fifty times too small count, and ask for no spline");
     cagd_fit_free(fit);
     q = choose_for(30, on_parabola, 0, NOISE / 10, NOISE, 0, &fit);
     ask(q.problems == 0 && q.too_large, "deviations ten times too large are told");

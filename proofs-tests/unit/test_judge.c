@@ -893,9 +893,9 @@ static void test_every_combination_of_roles(void **state)
 {
     (void)state;
     static const char *const good[ROLES] = {
-        [HOLDS_BY] = "proved",    [CONFIRMED_BY] = "sampled", [REFUTED_BY] = "against", [CORRECTED_BY] = "decided",
-        [HYPOTHESIS] = "against", [NEEDS] = "against",        [READING] = "against",    [CHECKED_BY] = "decided",
-        [READING_WITH] = "proved"};
+        [HOLDS_BY] = "proved",      [CONFIRMED_BY] = "sampled", [REFUTED_BY] = "against",
+        [CORRECTED_BY] = "decided", [HYPOTHESIS] = "against",   [NEEDS] = "against",
+        [READING] = "against",      [CHECKED_BY] = "decided",   [READING_WITH] = "proved"};
     for (unsigned roles = 0; roles < 1u << ROLES; roles++)
         for (int is_definition = 0; is_definition <= 1; is_definition++)
             for (int bad = -1; bad < 2 * ROLES; bad++) { /* the role whose claim went wrong, or is missing */
