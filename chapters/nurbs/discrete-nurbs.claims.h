@@ -37,16 +37,16 @@ $i=j$ and $0$ otherwise.
 :::
 */
 
-/* Pairs T, T' over common values for each degree. */
+/* Pairs T, T' over common values for each degree; in one of them at least a knot becomes more than k-fold. */
 static const char *const G(pairs)[][16] = {
     {NULL},
     {"202", "010", "1111", "0010", "2112", "0100", "2012", "0220", "202", "100", NULL},
     {"3003", "0110", "30103", "01010", "111111", "000100", "3103", "0120", "31103", "02010", "313", "030", "303", "110",
      NULL},
-    {"4004", "0110", "40104", "01010", "4204", "0120", "11111111", "00001000", NULL},
-    {"50105", "01010", "50205", "02100", NULL},
-    {"60106", "01010", "60306", "02100", NULL},
-    {"70107", "01010", "70307", "02110", NULL},
+    {"4004", "0110", "40104", "01010", "4204", "0120", "11111111", "00001000", "414", "040", NULL},
+    {"50105", "01010", "50205", "02100", "515", "050", NULL},
+    {"60106", "01010", "60306", "02100", "616", "060", NULL},
+    {"70107", "01010", "70307", "02110", "717", "070", NULL},
 };
 
 /*
@@ -58,10 +58,10 @@ shares $\alpha_i(j)w_i$. For these to be means the $\alpha_i(j)$ must not be neg
 :zh: 离散 B 样条非负且和为一
 :given: pairs $T$, $T'$ of patterns of knots with any positive gaps, all inserted knots in the domain; every new point $j$
 :then: $\alpha_{i,k}(j)\ge0$ and $\sum_{i=1}^n\alpha_{i,k}(j)=1$; so with positive weights $w_j^{(T,T')}$ is between the least and
-  the greatest of them
+  the greatest of the $w_i$
 :method: The recursion by its letter; signs are read off coefficients in the gaps.
 :degrees: 1..6 sampled 6
-:scope: 22 pairs of patterns of knots, all inserted knots in the domain
+:scope: 26 pairs of patterns of knots, all inserted knots in the domain
 :control: the share of $r_1$ left out of the sum
 :::
 */
@@ -91,11 +91,11 @@ CLAIM(discrete_bsplines_are_shares)
 :::{claim} nothing_inserted_changes_nothing
 :title: With no knot inserted every point has the share 1 in itself
 :zh: 不嵌节点时离散 B 样条为单位阵
-:given: the knots $T$ of 22 pairs $T$, $T'$ of patterns, and $T'=\Phi$ in the place of theirs; every $i$ and $j$
+:given: the knots $T$ of 26 pairs $T$, $T'$ of patterns, and $T'=\Phi$ in the place of theirs; every $i$ and $j$
 :then: $\alpha_{i,k}^{(T,\Phi)}(j)$ is $1$ for $i=j$ and $0$ otherwise, so that the points and weights of (4.1.6) are the given ones
 :method: The recursion by its letter, the knots variables.
 :degrees: 1..6 sampled 6
-:scope: the knots of 22 pairs of patterns
+:scope: the knots of 26 pairs of patterns
 :control: $\alpha_{i,k}(j)$ taken at $j+1$
 :::
 */
@@ -129,7 +129,7 @@ itself. It is stronger than the equality of the quotients, which a common factor
 :then: (4.1.8) with the points and weights of (4.1.6) is (4.1.2), and so is its denominator
 :method: All sums by their letter.
 :degrees: 1..6 sampled 6
-:scope: 22 pairs of patterns of knots, all inserted knots in the domain; the distinct knots variables up to order 6, numbers above
+:scope: 26 pairs of patterns of knots, all inserted knots in the domain; the distinct knots variables up to order 6, numbers above
 :control: the new weights taken as 1 in (4.1.8)
 :::
 */
@@ -184,7 +184,7 @@ static int indices_are_the_order(trial *T)
 
 /*
 :::{claim} three_names_lack_the_order
-:title: Three names have another index than the order
+:title: In three names the index is not the order
 :zh: 三处记号的下标不是阶数
 :kind: counterexample
 :given: the indices, in these three places, of what is called $\Gamma_k^{(T)}$ everywhere else in these sections, and $r_k$ wherever else the name of the curve has an index
@@ -237,7 +237,8 @@ which the later proof answers in another way than the definition of the $\alpha$
 :reading: clamped_end_may_be_inserted_again | with the same $\alpha_i$ a $k$-fold right end may be inserted, which repeats $r_n$
 :figure: nurbs_polygons_converge
 
-With positive weights and $T'$ in the domain, without a $k$-fold $t_{n+1}$, all new weights lie between the least and the greatest of the old ones.
+With positive weights and $T'$ in the domain, without a $k$-fold $t_{n+1}$, all new weights lie between the least and the greatest of the old
+ones: `discrete_bsplines_are_shares`.
 :::
 */
 
@@ -517,7 +518,7 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
 :then: $N_{i,k}^{(T)}(t)=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}(t)$ for all $i$
 :method: Both recursions by their letter.
 :degrees: 1..6 sampled 6
-:scope: 22 pairs of patterns of knots, all inserted knots in the domain
+:scope: 26 pairs of patterns of knots, all inserted knots in the domain
 :control: $\alpha_{i,k}(j)$ taken at $j+1$
 :::
 */
@@ -550,7 +551,7 @@ CLAIM(discrete_bsplines_refine_the_basis)
 :then: `bspline_discrete` gives $\alpha_{i,k}(j)$ for the $k$ values $i$ of the interval of $v_j$, and the others are $0$
 :method: The kernel, one level for each new knot $v_{j+1},\dots,v_{j+k-1}$, against the recursion by its letter.
 :degrees: 1..6 sampled 6
-:scope: 22 pairs of patterns of knots, all inserted knots in the domain
+:scope: 26 pairs of patterns of knots, all inserted knots in the domain
 :defines: bspline_discrete
 :control: $v_{j+1}$ replaced by $v_j$
 :::
