@@ -30,16 +30,16 @@ The weights follow the same way, which the source does not print.
 :::
 */
 
-/* Triples T, T_1, T_2. */
+/* Triples T, T_1, T_2; for each degree one with equal knots in both steps, and one with knots outside the domain. */
 static const char *const G(triples)[][16] = {
     {NULL},
     {"2002", "0100", "0010", "212", "010", "010", "202", "100", "110", "10111", "02000", "00110", NULL},
     {"3003", "0100", "0010", "303", "010", "010", "3103", "0100", "0010", "1011111", "0100000", "0110110", "303", "100",
      "110", NULL},
     {"4004", "0100", "0010", "404", "020", "010", "4104", "0110", "0100", "2111111", "0200010", "0100010", NULL},
-    {"50105", "01010", "00100", "4123", "0110", "0110", NULL},
-    {"60206", "01010", "00110", NULL},
-    {"70207", "01010", "00110", NULL},
+    {"50105", "01010", "00100", "4123", "0110", "0110", "203302", "010010", "010000", NULL},
+    {"60206", "01010", "00110", "204402", "010010", "010000", NULL},
+    {"70207", "01010", "00110", "205502", "010010", "010000", NULL},
 };
 
 /*
@@ -54,7 +54,7 @@ speak about multisets there; a product of matrices has no such cases.
 :then: $\alpha_{i,k}^{(T,T')}(j)=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)\,\alpha_{i,k}^{(T,T_1)}(l)$ for all $i$ and $j$
 :method: All by the recursion by its letter.
 :degrees: 1..6 sampled 6
-:scope: 17 triples of patterns of knots
+:scope: 20 triples of patterns of knots
 :control: $T_1$ and $T_2$ exchanged in the second factor only
 :::
 */
@@ -95,7 +95,7 @@ weights that the first has made. The printed formula does this, without saying w
 :then: (4.1.7), and the same for the weights
 :method: (4.1.6) for one step and for two, all sums by their letter.
 :degrees: 1..6 sampled 6
-:scope: 17 triples of patterns of knots
+:scope: 20 triples of patterns of knots
 :control: the weights after the first step taken as 1
 :::
 */
@@ -290,7 +290,7 @@ static int G(knots_below)(const struct G(refinement) * r, int place)
   variables; points and weights; also $t'=x_4$, the $k$-fold right end, with the first $\mu$ points, and $t'=x_1$ of the
   multiplicity $1,\dots,k-1$ after $x_0^{k-m}$, the beginning of the domain, and $t'=x_3$ of these multiplicities before $x_4^{k-m}$, the end
 :where: the new weights and $w(t')$ are not 0
-:then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t')$, and so are $r_{\mu+1},\dots,r_{\mu+m}$, but for $t'=x_4$; for $t'=x_2$ the values from both sides agree
+:then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t')$, and but for $t'=x_4$ so are $r_{\mu+1},\dots,r_{\mu+m}$; for $t'=x_2$ the values from both sides agree
 :method: (4.1.6) by its letter, against (4.1.2) on the intervals of the domain on the left and on the right; $\mu$ is the number of
   knots before $t'$.
 :degrees: 0..6 sampled 6

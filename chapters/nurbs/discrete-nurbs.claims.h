@@ -44,9 +44,9 @@ static const char *const G(pairs)[][16] = {
     {"3003", "0110", "30103", "01010", "111111", "000100", "3103", "0120", "31103", "02010", "313", "030", "303", "110",
      NULL},
     {"4004", "0110", "40104", "01010", "4204", "0120", "11111111", "00001000", "414", "040", NULL},
-    {"50105", "01010", "50205", "02100", "515", "050", NULL},
-    {"60106", "01010", "60306", "02100", "616", "060", NULL},
-    {"70107", "01010", "70307", "02110", "717", "070", NULL},
+    {"50105", "01010", "50205", "02100", "515", "150", NULL},
+    {"60106", "01010", "60306", "02100", "616", "160", NULL},
+    {"70107", "01010", "70307", "02110", "717", "170", NULL},
 };
 
 /*
@@ -513,7 +513,7 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
 :::{claim} discrete_bsplines_refine_the_basis
 :title: The discrete B-splines express the old basis in the new one
 :zh: 离散 B 样条把旧基表为新基的组合
-:given: every pair of patterns $T$, $T'$ of the list, values variables, with knots inserted between knots and at knots, at the ends
+:given: every pair of patterns $T$, $T'$ of the list, values variables, with knots inserted between knots and at knots, at an end
   of the domain, up to the multiplicity $k$ and beyond; every interval of the domain, any $t$
 :then: $N_{i,k}^{(T)}(t)=\sum_j\alpha_{i,k}^{(T,T')}(j)\,N_{j,k}^{(T\oplus T')}(t)$ for all $i$
 :method: Both recursions by their letter.

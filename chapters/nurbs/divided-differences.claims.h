@@ -541,7 +541,7 @@ the last unknown of the system.  The lemma of the source expands the upper deter
 :given: every set of multiplicities of $k+1$ nodes, the nodes and the coefficients of a polynomial of degree $k$
   variables
 :then: `divided_difference` of its values and derivatives is $c_k$
-:method: Every osculation problem has one solution $g$, and $f$ enters by its values only, which are those of $g$; so it
+:method: The table has nothing of $f$ but its values and derivatives at the nodes, which are those of a $g$ that osculates $f$; so it
   is enough to know the claim for polynomials $g$.
 :degrees: k = 0..6 sampled 8
 :over: t#: different nodes; c#: coefficients
