@@ -213,6 +213,7 @@ CLAIM(bernstein_knots_from_one_shift_the_index)
 :refuted-by: printed_bernstein_matrix_is_transposed printed_bernstein_quotient_fails
 :corrected: a_{ji}=0\ (j<i),\quad a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji\ (j\ge i)
 :corrected-by: bernstein_matrix_is_the_matrix
+:needs: polynomial_of_a_span_ends_with_it | the line itself: on $[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
 :striking: 10
 :figure: bernstein_matrix
 
@@ -235,9 +236,9 @@ begins with $i$ zeros.
 :::{claim} bernstein_matrix_is_the_matrix
 :title: The corrected entries are those of the coefficient matrix
 :zh: 改正后的 Bernstein 系数矩阵
-:given: orders $k$, $t$ variable
-:then: `bernstein_matrix` has the entries $(-1)^{i+j}\binom{k-1}j\binom ji$ for $j\ge i$ and $0$ for $j<i$; its columns are $N_{i,k}(t)=\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, and the matrix is that of
-  (4.4.17) at these knots
+:given: orders $k$, $k$ knots $0$ and $k$ knots $1$, $t$ variable
+:then: `bernstein_matrix` has the entries $(-1)^{i+j}\binom{k-1}j\binom ji$ for $j\ge i$ and $0$ for $j<i$; its columns are $\binom{k-1}i(1-t)^{k-1-i}t^i$ in powers of $t$, which
+  is $N_{i,k}(t)$ on $[0,1)$; and the matrix is that of (4.4.17) at these knots
 :method: The kernel against the Bernstein polynomials and the B-splines by their definition at a variable $t$, and against `bspline_matrix_by_marsden`.
 :degrees: 0..7 sampled 8
 :defines: bernstein_matrix
@@ -291,7 +292,7 @@ alone; for $k=3$, with the indices put right, the quotients are.
 :title: The printed matrix has its indices exchanged
 :zh: 印出的矩阵行列互换
 :kind: counterexample
-:given: $k$, for which all quotients are right, $i$ and $t$
+:given: $k$, for which each quotient is equal to the product, $i$ and $t$
 :data: k = 2; i = 0; t = 1/2
 :then: the sum of the printed column is not $B_i^{k-1}(t)$
 :result: the sum of the printed column = 1; B_i(t) = 1/2
@@ -373,8 +374,8 @@ CLAIM(bsplines_are_bernstein_polynomials)
 :printed: in the same line: $N_{i,k}(t)=\sum_{j=0}^{k-1}a_{ji}t^j=B_i^{k-1}(t)$
 :class: misprint
 :refuted-by: printed_bernstein_matrix_is_transposed
-:meant: the entries were printed two lines before | These $a_{ji}$.
-:reading: bernstein_matrix_is_the_matrix | with the entries of the coefficient matrix as they are, whatever is printed
+:meant: the entries of the coefficient matrix, printed two lines before | These $a_{ji}$.
+:reading: bernstein_matrix_is_the_matrix | with the entries of the coefficient matrix as they are, whatever is printed, and $t$ in the span
 :corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones
 :corrected-by: bernstein_matrix_is_the_matrix
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span

@@ -16,10 +16,11 @@ and the third lose a condition that the theorem has.  Here they are decided line
   \left.\frac{d^\mu(x-t)_+^{k-1}}{dx^\mu}\right|_{x=\tau_\lambda}
 :holds-by: truncated_power_gives_the_basis
 :hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$, or $0_+^0$ counts as 0: at
-  such a knot the derivative of order $k-1$ of the truncated power does not exist
+  such a knot the derivative of order $k-1$ is $(k-1)!\,0_+^0$, which for $k=1$ is the truncated power itself and for $k>1$ does not exist
 :figure: zero_power_at_a_knot
 
-The reason that is given is 2.7.4 with lemma 4.4.1; whatever 2.7.4 is, the section is not at hand, and the copy has lost the word before the number; it is computed here.  The sentence before abbreviates $d(T_i),l_q(T_i),\tau_q(T_i),\alpha_{\lambda\mu}(T_i)$ to $d,l_q,\tau_q,\alpha_{\lambda\mu}$; in the copy at hand the first four have lost their $(T_i)$, too.
+The reason that is given is 2.7.4 with lemma 4.4.1; whatever 2.7.4 is, the section is not at hand, and the copy has lost the word before the number; it is computed here.  The sentence before abbreviates $d(T_i),l_q(T_i),\tau_q(T_i),\alpha_{\lambda\mu}(T_i)$ to $d,l_q,\tau_q,\alpha_{\lambda\mu}$; in the copy at hand the first four have lost their $(T_i)$, too.  As in the theorem $t$ is
+in a span between the knots of the function.
 :::
 */
 
@@ -145,7 +146,7 @@ because the condition $\tau_\lambda>t_r$ comes back in (4.4.12).
 :::{claim} all_full_powers_sum_to_nothing
 :title: With the full powers the sum is always 0
 :zh: 不截断则和恒为零
-:given: every pattern of the $k+1$ knots of a function, the different knots and $t$ variables
+:given: every pattern of the $k+1$ knots of a function, the different knots and $t$ variables; random patterns for greater $k$
 :then: the printed second line is 0 for every $t$
 :method: The sum with the weights $\alpha$ of all $\tau_\lambda$.
 :degrees: 0..4 sampled 7
@@ -225,6 +226,7 @@ CLAIM(full_powers_sum_to_nothing)
 :refuted-by: full_powers_sum_to_nothing
 :corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
 :corrected-by: binomial_theorem_in_every_degree truncated_power_gives_the_basis
+:needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :confirmed-by: powers_expand_in_the_parameter printed_double_sum_gives_the_basis
 :figure: full_powers
@@ -237,6 +239,7 @@ CLAIM(full_powers_sum_to_nothing)
   \binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j
 :holds-by: binomial_theorem_in_every_degree
 :confirmed-by: powers_expand_in_the_parameter
+:needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :figure: full_powers
 :::
 

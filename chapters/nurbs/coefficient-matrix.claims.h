@@ -31,7 +31,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :zh: 参数变换为双射
 :given: any two different knots $t_r,t_{r+1}$, any $s$
 :then: $t=t_r+s(t_{r+1}-t_r)$ has the parameter $u=s$; so $u$ is 0 at $t_r$, 1 at $t_{r+1}$ and between them in between
-:method: The formula at a variable $s$: each of the two affine maps undoes the other.
+:method: The formula at the $t$ of a variable $s$, which gives $s$ again: of two affine maps of a line one then undoes the other.
 :over: t#: knots; s: u
 :control: the roles of the two knots exchanged
 :::
@@ -176,12 +176,12 @@ The affine curve is the quotient of $(1,\dots,u^{k-1})\,\mathbf A\,(w_i\mathbf r
 :zh: 齐次坐标下的矩阵表示
 :given: orders $k$, every pattern of the knots up to order 4 and the two extreme ones above, points and weights variables, $u$ variable
 :then: $(1,\dots,u^{k-1})A\,(\tilde r_{r-k+1},\dots,\tilde r_r)^T=\sum_iN_{i,k}\tilde r_i$ for $\tilde r_i=(w_ir_i,w_i)$
-:method: The coefficients are computed first, from the matrix and the points, then the sum of the powers.  A coordinate
-  is any coordinate, so one suffices.
+:method: The sum of all $u^ja_{ji}\tilde r_i$, against the B-splines by the recursion of Cox and de Boor.  A coordinate
+  is any coordinate, so one suffices beside the weight.
 :degrees: 0..4 sampled 7
 :scope: every pattern of the knots around a span up to order 4, the two extreme ones above
 :over: t#: knots; x#: points
-:control: the last weight left out
+:control: the last weight left out of $w_ir_i$
 :::
 */
 /* The homogeneous curve of every pattern by the matrix and by the definition; its two coordinates are compared, or the quotient of them. */
@@ -432,11 +432,13 @@ the sums has room for.
 :::{statement} wang-ch4:thm-4.4.1
 :title: The coefficients by divided differences
 :zh: 定理 4.4.1 基于差商的系数矩阵
-:printed: a_{ji}=(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{\lambda=1,\ \tau_\lambda>t_r}^{d(T_i)}\
-  \sum_{\mu=0}^{k-1-\max(j,k-l_\lambda)}\alpha_{\lambda\mu}(T_i)\frac{(k-1)!}{j!(k-1-\mu-j)!}(\tau_\lambda-t_r)^{k-1-\mu-j},\quad
-  i=r-k+1,\dots,r;\ j=0,1,\dots,k-1
+:printed: suppose that $N_{i,k}(t)$ is defined on (4.4.10) and that $[t_r,t_{r+1})$ is not empty; then for $i=r-k+1,r-k+2,\dots,r$ there is (4.4.11) with
+  $a_{ji}=(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{\lambda=1,\ \tau_\lambda>t_r}^{d(T_i)}\
+  \sum_{\mu=0}^{k-1-\max(j,k-l_\lambda)}\alpha_{\lambda\mu}(T_i)\frac{(k-1)!}{j!(k-1-\mu-j)!}(\tau_\lambda-t_r)^{k-1-\mu-j}$,
+  $j=0,1,\dots,k-1$
 :holds-by: printed_double_sum_gives_the_basis
 :confirmed-by: column_by_differences_is_the_function
+:needs: polynomial_of_a_span_ends_with_it | (4.4.11): $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :needs: full_powers_sum_to_nothing | the sum is printed over $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
   summed
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not

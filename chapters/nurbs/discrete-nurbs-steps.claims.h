@@ -30,16 +30,16 @@ The weights follow the same way, which the source does not print.
 :::
 */
 
-/* Triples T, T_1, T_2. */
+/* Triples T, T_1, T_2; for each degree one with equal knots in both steps, and one with knots outside the domain. */
 static const char *const G(triples)[][16] = {
     {NULL},
     {"2002", "0100", "0010", "212", "010", "010", "202", "100", "110", "10111", "02000", "00110", NULL},
     {"3003", "0100", "0010", "303", "010", "010", "3103", "0100", "0010", "1011111", "0100000", "0110110", "303", "100",
      "110", NULL},
     {"4004", "0100", "0010", "404", "020", "010", "4104", "0110", "0100", "2111111", "0200010", "0100010", NULL},
-    {"50105", "01010", "00100", "4123", "0110", "0110", NULL},
-    {"60206", "01010", "00110", NULL},
-    {"70207", "01010", "00110", NULL},
+    {"50105", "01010", "00100", "4123", "0110", "0110", "203302", "010010", "010000", NULL},
+    {"60206", "01010", "00110", "204402", "010010", "010000", NULL},
+    {"70207", "01010", "00110", "205502", "010010", "010000", NULL},
 };
 
 /*
@@ -54,7 +54,7 @@ speak about multisets there; a product of matrices has no such cases.
 :then: $\alpha_{i,k}^{(T,T')}(j)=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)\,\alpha_{i,k}^{(T,T_1)}(l)$ for all $i$ and $j$
 :method: All by the recursion by its letter.
 :degrees: 1..6 sampled 6
-:scope: 17 triples of patterns of knots
+:scope: 20 triples of patterns of knots
 :control: $T_1$ and $T_2$ exchanged in the second factor only
 :::
 */
@@ -95,7 +95,7 @@ weights that the first has made. The printed formula does this, without saying w
 :then: (4.1.7), and the same for the weights
 :method: (4.1.6) for one step and for two, all sums by their letter.
 :degrees: 1..6 sampled 6
-:scope: 17 triples of patterns of knots
+:scope: 20 triples of patterns of knots
 :control: the weights after the first step taken as 1
 :::
 */
@@ -147,12 +147,12 @@ CLAIM(steps_of_refinement_compose)
 :::{claim} insertions_commute
 :title: Two knots may be inserted in either order
 :zh: 两个节点的嵌入次序可交换
-:given: $T=\{x_0^k,x_1^m,x_4^k\}$, $0\le m<k$, and two knots $x_1$ or $x_2$, and $x_3$; points and weights
+:given: $T=\{x_0^k,x_1^m,x_4^k\}$, $0\le m<k$, and two knots: $x_2$, or $x_1$ where $m>0$, and $x_3$; points and weights
 :where: the new weights of both steps are not 0
 :then: the points, weights and knots are the same
 :method: The kernel `nurbs_insert` twice, in both orders, for every $m$.
 :degrees: 1..6 sampled 7
-:scope: two knots put between clamped ends with a knot of every multiplicity below k between
+:scope: two knots in the last interval of clamped knots with one of every multiplicity below k between, or one of the two at that knot
 :control: the second order with another second knot
 :::
 */
@@ -242,6 +242,7 @@ Insert one knot often enough and a new point is the point of the curve.
 :zh: k-1 次嵌入 t' 后,曲线上的点即控制顶点
 :printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
 :holds-by: repeated_insertion_reaches_the_curve
+:confirmed-by: point_before_a_k_fold_start_has_no_share
 :meant: the index $\mu$ of the vertex, and the proof of lemma 4.2.1 | The interval is $(t_\mu,t_{\mu+1}]$; for the letter $u$ see `thm-4.1.1-index`.
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise $w(t')$, which is the weight of $r_\mu$, may be $0$
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
@@ -259,13 +260,15 @@ For $m\ge2$ the printed $k-1$ insertions make an $m$-fold knot $t'$ more than $k
 :::
 */
 
-/* T with t' = x_where of multiplicity m, and t' inserted `times` times; x_1 is then the beginning of the domain. */
+/* T with t' = x_where of multiplicity m, and t' inserted `times` times; x_1 is then the beginning of the domain, x_3 its end. */
 static void G(repeated)(int p, int where, int m, int times, struct G(refinement) * r)
 {
     char old[] = {(char)('1' + p), '1', '1', '1', (char)('1' + p), '\0'}, new[] = "00000";
     old[where] = (char)('0' + m);
     if (where == 1)
         old[0] = (char)('1' + p - m);
+    if (where == 3)
+        old[4] = (char)('1' + p - m);
     new[where] = (char)('0' + times);
     G(refine_pair)(old, new, p, r);
 }
@@ -285,14 +288,14 @@ static int G(knots_below)(const struct G(refinement) * r, int place)
 :zh: 对每个小于 k 的重数 (4.1.9) 成立
 :given: $T$ with the ends $x_0^k$, $x_4^k$, simple knots $x_1$, $x_3$ and $x_2=t'$ of every multiplicity $m=0,\dots,k-1$, values
   variables; points and weights; also $t'=x_4$, the $k$-fold right end, with the first $\mu$ points, and $t'=x_1$ of the
-  multiplicity $1,\dots,k-1$ after $x_0^{k-m}$, the beginning of the domain
+  multiplicity $1,\dots,k-1$ after $x_0^{k-m}$, the beginning of the domain, and $t'=x_3$ of these multiplicities before $x_4^{k-m}$, the end
 :where: the new weights and $w(t')$ are not 0
-:then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t')$, and so are $r_{\mu+1},\dots,r_{\mu+m}$; the values from both sides agree
+:then: $r_\mu^{(T,\{t'\}^{k-1})}=r(t')$, and but for $t'=x_4$ so are $r_{\mu+1},\dots,r_{\mu+m}$; for $t'=x_2$ the values from both sides agree
 :method: (4.1.6) by its letter, against (4.1.2) on the intervals of the domain on the left and on the right; $\mu$ is the number of
   knots before $t'$.
 :degrees: 0..6 sampled 6
-:scope: a knot of every multiplicity below k between simple and clamped ones; the distinct knots variables up to order 6,
-  numbers above
+:scope: a knot of every multiplicity below k between simple and clamped ones, and at both ends of the domain; the distinct knots variables up to
+  order 6, numbers above
 :control: $r_{\mu-1}$, or $r_2$ where $\mu=1$
 :::
 */
@@ -302,8 +305,9 @@ CLAIM(repeated_insertion_reaches_the_curve)
     struct G(refinement) r;
     num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], value, right;
     G(distinct_knots)(T, 5, 5, r.x);
-    for (int m = -p; m <= p + 1; m++) { /* first the beginning, last the right end of the domain */
-        int start = (m < 0), end = (m > p), where = start ? 1 : end ? 4 : 2, many = start ? -m : m;
+    for (int m = -p; m <= 2 * p + 1; m++) { /* first the beginning, last the right end of the domain, k-fold and less */
+        int start = (m < 0), end = (m == p + 1), less = (m > p + 1);
+        int where = start ? 1 : end ? 4 : less ? 3 : 2, many = start ? -m : less ? m - p - 1 : m;
         G(repeated)(p, where, many, p, &r);
         G(weighted_points)(T, r.n, 1, R, w);
         int mu = G(knots_below)(&r, where); /* the printed index, from 1 */
@@ -319,6 +323,40 @@ CLAIM(repeated_insertion_reaches_the_curve)
         about(T, "the other points at t'");
         for (int j = mu + 1; j <= mu + many && !end; j++)
             same(T, S[j - 1], value);
+    }
+}
+
+/*
+:::{claim} point_before_a_k_fold_start_has_no_share
+:title: At a k-fold start behind the first knot the printed index is that of a point without a share
+:zh: 首节点之后的 k 重左端处所印指标的顶点与曲线无关
+:given: $T=\{x_0^s,x_1^k,x_2,x_3^k\}$, $s=1,\dots,k-1$, whose domain begins at $t'=x_1=t_k$, so that $\mu=s$; points and weights
+:where: the new weights are not 0
+:then: $r_\mu^{(T,\{t'\}^{k-1})}=r_s$, and $N_{s,k}=0$ on the domain
+:method: (4.1.6) by its letter, and the recursion of Cox and de Boor on every interval of the domain, at any $t$.
+:degrees: 1..6 sampled 6
+:scope: a k-fold start of the domain behind 1 to k-1 equal knots; the distinct knots variables up to order 6, numbers above
+:control: the point and the function behind
+:::
+*/
+CLAIM(point_before_a_k_fold_start_has_no_share)
+{
+    int p = T->degree;
+    struct G(refinement) r;
+    num R[MOST_KNOTS], w[MOST_KNOTS], S[MOST_KNOTS], z[MOST_KNOTS], t = unknown(T, "t", 0);
+    G(distinct_knots)(T, 4, 5, r.x);
+    for (int s = 1; s <= p; s++) {
+        char old[] = {(char)('0' + s), (char)('1' + p), '1', (char)('1' + p), '\0'}, new[] = "0000";
+        new[1] = (char)('0' + p);
+        G(refine_pair)(old, new, p, &r);
+        G(weighted_points)(T, r.n, 1, R, w);
+        G(refined_by_definition)(r.n, p, 1, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
+        int other = fault(T, s, s + 1);
+        about(T, "r_mu");
+        same(T, S[G(knots_below)(&r, 1) - 1], R[other - 1]);
+        about(T, "its function on the domain");
+        for (int interval = r.place[p]; interval < r.place[r.n]; interval++)
+            vanishes(T, G(cox_de_boor)(p, r.u, r.place, other - 1, interval, t));
     }
 }
 

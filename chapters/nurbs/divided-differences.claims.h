@@ -97,7 +97,7 @@ CLAIM(derivative_lowers_the_multiplicity_by_one)
 :zh: 节点多项式的倍式满足密切条件
 :given: every set of multiplicities of $k+1$ nodes, the nodes and $s_0,s_1$ variables, $p-q=(s_0+s_1t)\prod(t-t_i)$
 :then: $p^{(j)}(\tau_i)=q^{(j)}(\tau_i)$ for $j<l_i$, and for $j=l_i$ the difference is
-  $l_i!\,(s_0+s_1\tau_i)\prod_{m\ne i}(\tau_i-\tau_m)^{l_m}$, not 0
+  $l_i!\,(s_0+s_1\tau_i)\prod_{m\ne i}(\tau_i-\tau_m)^{l_m}$, which is not 0 unless $s_0+s_1\tau_i$ is
 :method: The derivatives are those of the rational function of $t$ in the field.
 :types: field
 :degrees: k = 0..6
@@ -541,7 +541,7 @@ the last unknown of the system.  The lemma of the source expands the upper deter
 :given: every set of multiplicities of $k+1$ nodes, the nodes and the coefficients of a polynomial of degree $k$
   variables
 :then: `divided_difference` of its values and derivatives is $c_k$
-:method: Every osculation problem has one solution $g$, and $f$ enters by its values only, which are those of $g$; so it
+:method: The table has nothing of $f$ but its values and derivatives at the nodes, which are those of a $g$ that osculates $f$; so it
   is enough to know the claim for polynomials $g$.
 :degrees: k = 0..6 sampled 8
 :over: t#: different nodes; c#: coefficients
