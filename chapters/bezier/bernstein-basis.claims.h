@@ -197,8 +197,8 @@ every degree.
 :zh: 递推保持规范性、非负性、上界 1、端点值与对称性
 :given: $a=B_i^{n-1}(t)$ and $b=B_{i-1}^{n-1}(t)$, so that $B_i^n(t)=(1-t)a+tb$; $S=\sum_iB_i^{n-1}(t)$; any $t$
 :then: $\sum_iB_i^n(t)=(1-t)S+tS=S$; for $t$ in $(0,1)$ and $a,b>0$, or one of them absent, $B_i^n(t)>0$;
-  $1-B_i^n(t)=(1-t)(1-a)+t(1-b)$, so that with no function of degree $n-1$ none of degree $n$ is greater than 1 in $[0,1]$; at $t=0$ it is $a$, at $t=1$
-  it is $b$, so that $B_0^n(0)=B_n^n(1)=1$ and the others are 0 there; and with $a'=B_i^{n-1}(1-t)$, $b'=B_{i-1}^{n-1}(1-t)$, the
+  $1-B_i^n(t)=(1-t)(1-a)+t(1-b)$, so that if no function of degree $n-1$ is greater than 1 in $[0,1]$, none of degree $n$ is; $B_i^n(0)=a$ for $t=0$ and
+  $B_i^n(1)=b$ for $t=1$, so that $B_0^n(0)=B_n^n(1)=1$ and the others are 0 there; and with $a'=B_i^{n-1}(1-t)$, $b'=B_{i-1}^{n-1}(1-t)$, the
   mirror images of $b$ and $a$ of index $n-i$, $B_i^n(1-t)=(1-(1-t))a'+(1-t)b'=(1-t)b'+ta'=B_{n-i}^n(t)$
 :method: The recurrence once, `bernstein_recurrence`, with the values of degree $n-1$ variables, $t=\frac s{1+s}$, $s>0$, for the signs; $B_0^0=1$
   has all these properties, and the step is an induction.

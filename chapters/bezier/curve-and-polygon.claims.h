@@ -111,7 +111,7 @@ CLAIM(equally_spaced_points_make_a_line)
 :::
 
 :::{statement} slides-ch4:4-conventions
-:title: The powers with exponent 0, and the factorial of 0
+:title: 0! and 0^0 are 1 by convention
 :zh: 0! 与 0^0 约定为 1
 :printed: $0!$ and $0^0$, where they occur, are by convention 1
 :definition: yes
@@ -194,7 +194,7 @@ CLAIM(zero_factorial_zero_divides_by_zero)
 :holds-by: small_degrees_written_out
 :figure: degrees_one_to_three
 
-In the text at hand the six numbers of the matrix have no signs.  Each column is the list of the coefficients of one Bernstein polynomial: of the 64
+In the text at hand the six numbers of the matrix that are not 0 have no signs.  Each column is the list of the coefficients of one Bernstein polynomial: of the 64
 choices of the signs one alone gives the curve.
 :::
 
@@ -426,7 +426,7 @@ CLAIM(first_term_divides_by_zero)
 :hypothesis: terms_in_a_row_come_twice_for_two_edges | from $n=2$ on the terms are those from the first to the last, each once: written out as
   six they are right from $n=3$ on; for $n=2$ two of them come twice
 :hypothesis: terms_in_a_row_come_twice_for_one_edge | for $n=1$ only the first and the last term are taken: there is no
-  $(n-2)!$, and the four others are twice the two
+  $(n-2)!$, and the four terms without it, the two nearest to each end, have twice the sum of the first and the last
 :figure: edges_and_end_tangents
 :::
 
@@ -610,6 +610,8 @@ whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 :printed: the set $M=\Bigl\{\sum_{i=0}^n\lambda_iP_i\Bigm|\sum_{i=0}^n\lambda_i=1,\ 0\le\lambda_i\le1,\ i=0,1,\dots,n\Bigr\}$
 :definition: yes
 :figure: bezier_hull
+
+In the text at hand $M$ has no name; the heading above it is about convex hulls, `slides-ch4:4-hull`.
 :::
 
 :::{statement} slides-ch4:4-partition
@@ -618,7 +620,8 @@ whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 :printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le t\le1$
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
-:needs: function_is_negative_outside_the_interval | the line itself and the definition of the curve, $0\le t\le1$ | $0\le t\le1$
+:needs: function_is_negative_outside_the_interval | the line itself and the definition of the curve, $0\le t\le1$ | $0\le t\le1$;
+  for the bounds 0 and 1: the sum is 1 for every $t$
 :figure: bernstein_basis
 
 That a function is at most 1 follows from the two others as well: the sum is 1, and no function is negative.
@@ -636,7 +639,7 @@ That a function is at most 1 follows from the two others as well: the sum is 1, 
 :result: B = -1 2
 :given: the functions $B$ of degree $n$ at the parameter $t$
 :then: the first is negative, the other greater than 1
-:method: The values by the kernel; that each is between 0 and 1 is refuted.
+:method: The values by the kernel; that the first is not negative, or the other at most 1, is refuted.
 :control: a parameter inside the interval
 :::
 */

@@ -31,8 +31,8 @@ enum { MOST_PLACES = 80 };
 :printed: R and Q have $n+1$ numbers; R becomes P; for m from $n$ down to 1: Q[i] = R[i] + t*(R[i+1]-R[i]) for i < m, R[i] = Q[i] for i <= m-1; the
   result is R[0], the value of the curve at $t$
 :holds-by: program_computes_the_curve bernstein_recurrence
-:argued: every n | One pass of the outer loop is one level of the recursion, which holds for every $n$; after $n$ passes
-  R[0] is the value of the curve.
+:argued: every n | One pass of the outer loop is one level of the recursion, which holds for every $n\ge1$; after $n$ passes
+  R[0] is the value of the curve.  For $n=0$ no pass is made, and R[0] is P[0].
 :hypothesis: difference_loses_the_last_point | the arithmetic is exact: in binary64 the result at $t=1$ need not be the last
   point
 :figure: last_point_lost
@@ -42,7 +42,7 @@ In the text at hand the signs `<` are lost, and the line that fills R and the he
 :::
 
 :::{statement} slides-ch4:4-program-step
-:title: Each step goes from curves of degree n-1 to one of degree n
+:title: The value of a curve of degree n from those of two curves of degree n-1
 :zh: 程序注释:n 次曲线由两条 n-1 次曲线线性组合
 :printed: the value of a Bézier curve of degree $n$ at $t$ is found by a linear combination of the values of two Bézier curves of degree $n-1$ at $t$
 :holds-by: bernstein_recurrence
@@ -189,8 +189,8 @@ CLAIM(program_computes_the_curve)
 }
 
 /*
-The second function adds a step $\frac1{npoints}$ to the parameter, npoints times.  In exact arithmetic that ends at 1.  In binary64 the
-step is already rounded, unless npoints is a power of 2, and so is each sum.
+The second function adds a step $\frac1{npoints}$ to the parameter after each point.  In exact arithmetic the last point has the parameter 1.  In binary64 the
+step is already rounded, unless npoints is a power of 2, and each sum may have to be rounded again.
 
 :::{statement} slides-ch4:4-program-division
 :title: The parameter is divided into npoints equal parts
@@ -330,7 +330,7 @@ CLAIM(program_ends_at_one_in_exact_arithmetic)
 :holds-by: program_stays_in_its_arrays
 :argued: every n and every number of steps | The points are read once, P[i] for $i=0,\dots,n$, in each call, and the calls know nothing of one another.
 
-Each of them is needed, and no other is read.
+Each of them is read, and no other.
 :::
 */
 
@@ -350,7 +350,7 @@ static num drawn(struct program_q *run, int n, const num b[], int steps, int pla
 :zh: 更正后的程序内存使用正确
 :kind: decision
 :data: npoints = 8
-:given: polygons of degree $n$ and npoints steps; an array of npoints+1 places for the points, delete[] for the arrays
+:given: a polygon of degree $n$ on a line and npoints steps; an array of npoints+1 places for the points, delete[] for the arrays
 :then: nothing is read or written beyond an end, nothing is read before it is written or after it is released; `R` and `Q` are made for each of the
   npoints+1 points, and each is released once in its own way; each of the npoints+1 places for the points is written once, and each of the $n+1$ control points
   is read once for each of these; all this is so with $n$ places for `Q`, too
@@ -451,7 +451,8 @@ CLAIM(program_writes_one_point_too_many)
 :holds-by: program_stays_in_its_arrays
 :argued: every n and every number of steps | R[i] is filled for $i\le n$, and R[i+1] and Q[i] are used for $i<m\le n$ only, so that no index is greater than $n$; and the calls know nothing of one another.
 
-`R` needs them all.  `Q` would do with $n$ places: Q[n] is never used.
+`R` needs them all.  `Q` would do with $n$ places: Q[n] is never used.  In the text at hand the brackets are lost: it has new double and $n+1$
+behind it.
 :::
 
 :::{statement} slides-ch4:4-program-delete
@@ -461,7 +462,7 @@ CLAIM(program_writes_one_point_too_many)
 :reading: program_stays_in_its_arrays | delete[] R; delete[] Q; with brackets that are lost like all others: right
 :reading: program_releases_arrays_as_numbers | delete R; delete Q; as it stands: wrong
 
-What was made by new[] has to be released by delete[]; with delete the behaviour is undefined.  In the text at hand new double[n+1] is
+In C++ what was made by new[] has to be released by delete[]; with delete the behaviour is undefined.  In the text at hand new double[n+1] is
 without its brackets as well, so that it does not tell which was printed.
 :::
 
@@ -602,7 +603,7 @@ for $t=1$ the result is $R+(R'-R)$, rounded twice; with $(1-t)R+tR'$ it is $R'$.
 
 :::{claim} difference_loses_the_last_point
 :title: At t = 1 the form with one product may lose the last point
-:zh: t=1 时 R+t(R'-R) 在 binary64 中不等于 R'
+:zh: t=1 时 R+t(R'-R) 在 binary64 中可能不等于 R'
 :kind: counterexample
 :data: P = 1 0x1p-54; t = 1
 :result: P_1 - P_0 = -1; P(t) = 0

@@ -19,7 +19,7 @@ enum { dim = 2 };
 ## Many points
 
 :::{statement} slides-ch4:4-polyline
-:title: With more points the polyline comes as near to the curve as one likes
+:title: With more points the polyline can come as near to the curve as one likes
 :zh: 折线逼近曲线
 :printed: To draw the curve by its definition, enough values of $t$ are chosen, and the points of the curve joined by segments; with more points
   the polyline and the curve can come arbitrarily near to each other.
@@ -80,26 +80,29 @@ CLAIM(second_differences_of_a_piece)
 :::{claim} enough_equal_steps_bring_the_polyline_near
 :title: With enough equal steps the distance of curve and polyline is as small as one likes
 :zh: 等步长步数足够多时折线任意接近曲线
-:given: the degree $n$, the length $M$ of the longest second difference of the points, $\varepsilon>0$, and $N$ steps of one length with
+:given: the degree $n\ge1$, the length $M\ge0$ of the longest second difference of the points, 0 for $n=1$, where there is none, $\varepsilon>0$, and $N$ steps of one length with
   $N^2=\frac{n^2M}{8\varepsilon}+p$, $p>0$
 :harmless: $\varepsilon>0$ | the distance that one likes
 :then: $\varepsilon-\frac{n^2}8\cdot\frac M{N^2}=\frac{p\,\varepsilon}{N^2}>0$, where the second number is a bound of the distance
-:method: An identity, everything a variable.  Over a step of the length $\frac1N$ the second differences are means of those of the points, divided by $N^2$,
+:method: An identity, everything a variable, once with $M>0$ and once with $M=0$.  Over a step of the length $\frac1N$ the second differences are means of those of the points, divided by $N^2$,
   `differences_over_a_part_are_means`, and the piece is at most $\frac{n^2}8$ times the longest of them away from its chord,
   `polygon_and_curve_are_near_the_chord`.  There $\sum_kB_k^n=1$ and $\sum_k\frac knB_k^n=t$ are used, which follow from `bernstein_recurrence` by
   `recurrence_keeps_sum_sign_ends_and_symmetry`, and from this and $\frac knB_k^n=tB_{k-1}^{n-1}$, in `bernstein_raised_by_one_degree`.
-:degrees: all
+:degrees: all from 1
 :over: n M e p: -
 :control: $\frac{n^2}4$ in the place of $\frac{n^2}8$
 :::
 */
 CLAIM(enough_equal_steps_bring_the_polyline_near)
 {
-    num n = whole(T, "n", 1, 20), M = positive(T, "M", 0), epsilon = positive(T, "e", 0), p = positive(T, "p", 0);
-    num above = mul(mul(n, n), M), steps = add(div(above, mul(from_int(8), epsilon)), p); /* N² */
-    num bound = div(above, mul(from_int(fault(T, 8, 4)), steps)), left = div(mul(p, epsilon), steps);
-    same(T, sub(epsilon, bound), left);
-    nonnegative(T, left);
+    num n = whole(T, "n", 1, 20), epsilon = positive(T, "e", 0), p = positive(T, "p", 0);
+    num longest[2] = {positive(T, "M", 0), from_int(0)};
+    for (int k = 0; k < 2; k++) {
+        num above = mul(mul(n, n), longest[k]), steps = add(div(above, mul(from_int(8), epsilon)), p); /* N² */
+        num bound = div(above, mul(from_int(fault(T, 8, 4)), steps)), left = div(mul(p, epsilon), steps);
+        same(T, sub(epsilon, bound), left);
+        G(must_be_positive)(T, left);
+    }
 }
 
 #if RATIONAL
@@ -185,7 +188,7 @@ Bernstein polynomials.
 :::
 
 :::{claim} curve_blends_two_curves_of_one_point_less
-:title: A curve is divided by two curves of one point less in the ratio t : (1-t)
+:title: The point of a curve divides the segment between those of two curves of one point less in the ratio t : (1-t)
 :zh: n 次曲线由两条 n-1 次曲线线性组合
 :given: points $P_0,\dots,P_n$ of the plane, any $t$, all $0\le k<l\le n$
 :then: $P_{k,l}=(1-t)P_{k,l-1}+tP_{k+1,l}=P_{k,l-1}+t(P_{k+1,l}-P_{k,l-1})$, $P_{k,l}$ being the curve of $P_k,\dots,P_l$
@@ -250,6 +253,8 @@ everything else is a shift of an index.
 :zh: 组合恒等式
 :printed: C_n^i=C_{n-1}^i+C_{n-1}^{i-1}
 :holds-by: binomials_add_up
+
+In the proof it is used for $1\le i\le n-1$.  For $i=0$ and $i=n$ it is true with $C_{n-1}^{-1}=C_{n-1}^n=0$.
 :::
 
 :::{claim} binomials_add_up
@@ -258,7 +263,7 @@ everything else is a shift of an index.
 :given: integers $1\le i\le n$
 :let: $c=\binom{n-1}{i-1}$, so that $\binom{n-1}i=c\frac{n-i}i$ and $\binom ni=c\frac ni$
 :then: $\binom ni=\binom{n-1}i+\binom{n-1}{i-1}$; for $i=0$ it says $1=1+0$
-:method: With $i$, $n-i$ and $c$ variables both sides are one element of the field.
+:method: With $i$, $n-i$ and $c$ variables both sides are one element of the field; for $i=n$ the factor $n-i$ makes $\binom{n-1}n=0$.
 :degrees: all from 1
 :over: i n_minus_i c: i
 :control: $\binom{n-1}i$ taken as $c\frac{n-i}{i+1}$

@@ -36,6 +36,8 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :confirmed-by: end_derivatives_are_end_differences
 :figure: joint_of_cubics
 :degree: 3
+
+$Q_0'$ is $Q'(0)$ and $P_3'$ is $P'(1)$.
 :::
 
 :::{statement} slides-ch4:4-joint-g1
@@ -45,8 +47,11 @@ only point in one direction, which is one number $a>0$ less than equality; the s
 :holds-by: equal_unit_tangents_fix_the_ratio
 :needs: negative_ratio_turns_back | the line itself: $a>0$ | $a>0$
 :hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: else the tangent may be continuous although there is no such $a$
-:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition` | The two unit tangents at the joint are equal.
+:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition`, and the condition before it, $P_3=Q_0$ | The curves meet, and the two unit
+  tangents at the joint are equal.
 :figure: joint_of_cubics
+
+$Q_0'$ is $Q'(0)$ and $P_3'$ is $P'(1)$.  In the examples $\lambda$ is $a$, and the pieces have degree 1 or 2: raised in degree they are cubics.
 :::
 
 The step from derivatives to edges is a division by 3, and nothing can go wrong in it.  What can go wrong was there before: a derivative
@@ -58,7 +63,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :zh: G1 连续的控制顶点条件
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio equal_unit_tangents_fix_the_ratio
-:needs: negative_ratio_of_edges_turns_back | the line of the condition: $a>0$ | $a>0$
+:needs: negative_ratio_of_edges_turns_back | the condition by derivatives, `slides-ch4:4-joint-g1`: $a>0$ | $a>0$
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$ and $Q_0\ne Q_1$: with two edges of length 0 the condition does not suffice
 :hypothesis: straight_joint_with_a_zero_edge | $P_2\ne P_3$ and $Q_0\ne Q_1$: with one edge of length 0 the condition is not necessary
 :figure: corner_without_edges
@@ -70,7 +75,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :zh: 连接点为 P2Q1 的定比分点
 :printed: $Q_0=P_3=\frac{Q_1+aP_2}{1+a}$
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
-:needs: ratio_minus_one_has_no_quotient | the line of the condition: $a>0$ | $a>0$; of all other ratios $a=-1$ alone has no quotient
+:needs: ratio_minus_one_has_no_quotient | the condition by derivatives, `slides-ch4:4-joint-g1`: $a>0$ | $a>0$; of all other ratios $a=-1$ alone has no quotient
 :figure: joint_of_cubics
 :degree: 3
 :::
@@ -261,7 +266,7 @@ CLAIM(negative_ratio_of_edges_turns_back)
 :::{statement} slides-ch4:4-second-derivative-ends
 :title: The second derivatives at the joint
 :zh: 连接点处的二阶导矢
-:printed: $P''(1)=6P_1-12P_2+6P_3$, $Q''(0)=6Q_0-12Q_1+6Q_2$
+:printed: $P''(1)=6P_3-12P_2+6P_1$, $Q''(0)=6Q_0-12Q_1+6Q_2$
 :holds-by: second_derivative_of_a_cubic
 :figure: second_derivatives_alone
 :::
@@ -318,7 +323,7 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :title: C2 by equal second derivatives
 :zh: C2 连续条件
 :printed: The condition for $C^2$ at the joint, that is, for continuity of the second derivative by the parameter: $P''(1)=Q''(0)$ is required, that is
-  $P_1-2P_2+P_3=Q_0-2Q_1+Q_2$.
+  $Q_0-2Q_1+Q_2=P_3-2P_2+P_1$.
 :holds-by: second_derivative_of_a_cubic three_points_make_c2
 :confirmed-by: printed_condition_divides_the_curvature
 :needs: equal_derivatives_across_a_gap | the first of the conditions, $P_3=Q_0$ | $P_3=Q_0$
@@ -334,7 +339,7 @@ With the condition for $G^1$ in the place of equal first derivatives it divides 
 :title: With three points the next cubic joins in C2, and only so
 :zh: C2 连接由三点确定
 :given: any $P_0,\dots,P_3$, $Q_3$ of the plane; $Q_0=P_3$, $Q_1=2P_3-P_2$, $Q_2=P_1+2(Q_1-P_2)$
-:then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and any $Q_1$ and $Q_2$, then
+:then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and $Q_1$, $Q_2$ are any points, then
   $Q'(0)-P'(1)=3(Q_1-2P_3+P_2)$ and $Q''(0)-P''(1)=6(Q_2-P_1-2(Q_1-P_2))$
 :method: Derivatives at the ends by the kernel; everything a variable.
 :scope: cubic curves
@@ -412,7 +417,7 @@ CLAIM(equal_derivatives_across_a_gap)
 /*
 :::{claim} equal_second_derivatives_with_unequal_first
 :title: Equal second derivatives at a joint that is not C1
-:zh: 二阶导矢相等而非 C2
+:zh: 连接点处二阶导矢相等而非 C1
 :kind: counterexample
 :data: P = (-3,3) (-2,1) (-1,0) (0,0); Q_1 = (2,0); Q_3 = (6,3)
 :instead: Q_1 = (1,0)
@@ -458,7 +463,7 @@ in each, the denominator is the third power of the length of the first.
 
 :::{claim} printed_condition_divides_the_curvature
 :title: With the ratio a the printed condition divides the curvature by the square of a
-:zh: 仅二阶导矢相等时曲率缩为 1/a^2
+:zh: 导矢之比为 a 且二阶导矢相等时曲率为原来的 1/a^2
 :given: $P'\ne0$ and $P''$ at the joint, in the plane and in space, $a>0$; $Q'=aP'$, $Q''=P''$
 :where: $a>0$; $P'\ne0$
 :then: $Q'\times Q''=a\,P'\times P''$, and the square of the curvature is divided by $a^4$

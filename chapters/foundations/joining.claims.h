@@ -273,7 +273,7 @@ CLAIM(negative_ratio_turns_back)
 
 /*
 :::{claim} singular_end_has_no_ratio
-:title: At a singular end of a straight piece no ratio satisfies the condition
+:title: At a singular end of a straight piece no positive ratio satisfies the condition
 :zh: 奇异端点处条件失效
 :kind: counterexample
 :given: two pieces of one straight line without any corner, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, and two others, $R_{\mathrm I}$ and $R_{\mathrm{II}}$, by

@@ -211,19 +211,36 @@ static void put_links(FILE *out, const struct block *b, int index)
     fputs("    {HOLDS_BY, NULL, NULL, NULL, NULL}};\n", out);
 }
 
+/* Whether the letter there is the index of a sum that begins with it: i in \sum_{i=0}^n, \sum_i. */
+static int is_index_of_sum(const char *text, const char *letter)
+{
+    static const char *const sums[] = {"\\sum_{", "\\sum_", "\\prod_{", "\\prod_"};
+    for (size_t k = 0; k < sizeof sums / sizeof *sums; k++) {
+        size_t n = strlen(sums[k]);
+        if ((size_t)(letter - text) >= n && strncmp(letter - n, sums[k], n) == 0)
+            return 1;
+    }
+    return 0;
+}
+
 /* Adds the letters of the formulas in a text, each once: "t", "beta" for \beta.  A text without dollar signs is a formula if it has
- * any sign of one, and three letters in a row are a word. */
+ * any sign of one, and three letters in a row are a word.  The index of a sum is no letter of its formula from there on. */
 static char *with_letters(char *letters, const char *text)
 {
     int mixed = strpbrk(text, "$=_^\\") == NULL || strchr(text, '$') != NULL, inside = !mixed;
+    char *indices = whole_copy("");
     for (const char *at = text; *at != '\0'; at++) {
         inside ^= mixed && *at == '$';
+        if (*at == '$')
+            indices[0] = '\0';
         const char *name = at + (*at == '\\');
         size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
         int is_command = *at == '\\';
         for (size_t k = 0; inside && k < n && (is_command || n < 3); k += is_command ? n : 1) {
             char *letter = copy_of(name + k, is_command ? n : 1);
-            if (!has_word(letters, letter))
+            if (!is_command && k == 0 && is_index_of_sum(text, name))
+                indices = joined(indices, ' ', letter);
+            if (!has_word(letters, letter) && !has_word(indices, letter))
                 letters = joined(letters, ' ', letter);
         }
         at = n > 0 ? name + n - 1 : at;

@@ -340,6 +340,11 @@ class Good(Weaving):
         self.assertIn('.letters = "beta x y frac z u"', self.register())
         self.write("first.claims.h", FIRST.replace(":printed: a/b", ":printed: some words and a=ji"))
         self.assertIn('.letters = "a j i"', self.register())
+        for printed, letters in ((r"x=\\sum_{i=0}^na_i+b_i", "x sum n a b"),  # the index of a sum is none
+                                 (r"$B_i$ and $\\sum_{i=0}^nB_i=\\prod_jc_j$", "B i sum n prod c"),
+                                 (r"$\\sum_{i=0}^nB_i$ for every $i$", "sum n B i")):
+            self.write("first.claims.h", FIRST.replace(":printed: a/b", f":printed: {printed}"))
+            self.assertIn(f'.letters = "{letters}"', self.register())
         self.write("first.claims.h", FIRST.replace(":printed: a/b", ":printed: it is so of a or i"))
         self.assertIn('.letters = ""', self.register())
 
