@@ -1298,6 +1298,10 @@ static int at_the_end(cagd_reader *r)
     if (cagd_next_is(r, "&"))
         return cagd_refuse_token(r, "is what stands behind '&' a condition, or another formula? write \\text{for} or a "
                                     "comma") != NULL;
+    if (cagd_next_is(r, "\\end"))
+        return cagd_refuse_token(r,
+                                 "is what stands behind the rows of all of them? a row has a word or an arrow of its "
+                                 "own: write brackets") != NULL;
     return cagd_refuse_token(r, "expected the end of the formula, not %s", cagd_name_of_next(r)) != NULL;
 }
 

@@ -96,7 +96,8 @@ static int goes_on_by_sign(const cagd_token *t)
 {
     static const char *const signs[] = {"+",     "-", "*",     "\\times", "/", "\\text", "\\Rightarrow",
                                         "\\iff", ",", "\\dots"};
-    t += is_word(t, "&") && !is_relation(t);
+    while (is_word(t, "&"))
+        t++;
     for (size_t k = 0; k < sizeof signs / sizeof *signs; k++)
         if (is_word(t, signs[k]))
             return 1;
@@ -171,6 +172,33 @@ static int has_rows(const cagd_token *t)
     return 0;
 }
 
+/* Whether a word or an arrow stands in some row, of which it is not said that it reaches over all of them. */
+static int has_connective(const cagd_token *t, const cagd_token *end)
+{
+    static const char *const words[] = {"\\text", "\\Rightarrow", "\\iff", "\\lor", "\\forall", "\\exists", "\\neg"};
+    for (int depth = 0; t < end; depth += change_of_depth(t), t++)
+        for (size_t k = 0; depth == 0 && k < sizeof words / sizeof *words; k++)
+            if (is_word(t, words[k]))
+                return 1;
+    return 0;
+}
+
+/* What stands behind the rows is of all of them: where one has a word or an arrow of its own, their end is left there, and refused. */
+static cagd_token *close_rows(cagd_token list[], cagd_token *to, const cagd_token *behind, const cagd_token *end,
+                              int has_own)
+{
+    while (is_word(behind, ".") || is_word(behind, ","))
+        behind++;
+    if (behind->kind == CAGD_TOKEN_END)
+        return to;
+    if (has_own)
+        *to++ = *end;
+    for (cagd_token *t = list; t < to; t++)
+        if (t->kind == CAGD_TOKEN_ROW)
+            t->kind = CAGD_TOKEN_SIGN;
+    return to;
+}
+
 void cagd_open_rows(cagd_token list[])
 {
     static const char *const names[] = {"cases",     "dcases",   "rcases",   "array",    "aligned",
@@ -196,9 +224,12 @@ void cagd_open_rows(cagd_token list[])
             *put_rows(list, list, list, end, 0) = *end;
         return;
     }
+    const int has_own = has_connective(first, end);
+    const cagd_token last = *end;
     cagd_token *to = put_rows(list, list, first, end, 1);
     const cagd_token *behind = behind_group(end + 1, columns, sizeof columns);
     behind += !brace && is_word(behind, "\\}"); /* \left. ... \right\} */
+    to = close_rows(list, to, behind, &last, has_own);
     while (behind->kind != CAGD_TOKEN_END)
         *to++ = *behind++;
     *to = *behind;
