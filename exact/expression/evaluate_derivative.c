@@ -126,13 +126,13 @@ static num_f moved_by_angle(cagd_context *c, const cagd_tree *t, const cagd_tree
     struct cagd_angle by = {at->tree, at->frame, {.f = x}, *y};
     const char *trouble = c->trouble;
     const cagd_tree *where = c->where;
-    int known = c->count;
     c->asks_for_number = 0;
     moved.angle = &by;
     num_f g = cagd_in_field(value_at(c, t, body, value, moved, f));
     if (!c->asks_for_number || !y->rational || region_faults != FAULT_UNABLE)
         return g;
     c->asks_for_number = 0, region_faults = 0, c->trouble = trouble, c->where = where; /* once more, with y */
+    int known = c->count;
     *y = by.moved = (cagd_value){.f = fresh(c, cagd_value_int(0), 1)};
     g = cagd_in_field(region_faults == 0 ? value_at(c, t, body, value, moved, f) : cagd_value_int(0));
     forget(c, known);

@@ -2,7 +2,7 @@
 
     python3 test_check.py CAGD
 
-literature.md has facts of the literature and the same with a fault, each with what has to come out; so have
+literature.md has facts of the literature and the same with a fault, each with what has to come out; so have c-curves.md,
 referee.md and, of bases with a parameter of shape, shape.md.  malformed.txt has a line
 for each mistake: where it stands (a formula, a range, a definition), the text, the line and column that are named, the message, and the part
 of the line that is marked.
@@ -49,6 +49,7 @@ class Literature(unittest.TestCase):
 
     def test_every_formula_is_what_the_file_says(self):
         self.answers("literature.md")
+        self.answers("c-curves.md", 9)
 
     def test_forms_that_are_rare(self):
         """Unequal vectors, equivalences, vectors by cases, sums for every n of powers of what is no name, what dots leave out."""
@@ -445,6 +446,7 @@ R(t) = \sin(\pi t) - t
                 (r"F'(t) = 1 - \cos t", "", "holds"), (r"F'(t) = 1 + \cos t", "", "fails"), (r"F''(t) = \sin t", "", "holds"), (r"G''(t) = -2 \sin t - t \cos t", "", "holds"), (r"G''(t) = -\sin t - t \cos t", "", "fails"),
                 (r"\frac{d^2}{dx^2}(x \sin x) = 2 \cos x - x \sin x", "", "holds"), (r"\frac{d^2}{dx^2}(x \sin x) = 2 \cos x + x \sin x", "", "fails"), (r"F(2x) = 2x - 2 \sin x \cos x", "", "holds"), (r"F(x + y) = F(x) + F(y)", "", "fails"),
                 (r"F(\pi) = \pi", "", "holds"), (r"F(\pi) = 3", "", "fails"), (r"F(\frac{\pi}{2}) + 1 = \frac{\pi}{2}", "", "holds"), (r"\pi = \frac{355}{113}", "", "fails"), (r"\pi < \frac{355}{113}", "", "holds"), (r"\pi^2 \ge 10", "", "fails"),
+                (r"\frac{d}{dt}(a t - \sin t) = a - \cos t", "", "holds"), (r"Q'(t) = -P'(a - t)", "", "holds"), (r"Q'(0) = -\frac{1 - \cos a}{a - \sin a}", "", "holds"), (r"Q'(0) = 2", "", "fails"),
                 (r"P(0) = 0, \quad P(a) = 1, \quad Q(t) = P(a - t)", "", "holds"), (r"P(t) + Q(t) = 1", "", "fails"), (r"P'(t) = \frac{1 - \cos t}{a - \sin a}", "", "holds"),
                 (r"\sin t < t", r"0 \le t \le 1", "fails"), (r"2 \sin t \le t", r"0 \le t \le \pi", "fails"), (r"\cos t \le 1 - \frac{t^2}{2}", "", "fails"), (r"\cos t \ge -t^2", r"\frac{\pi}{2} \le t \le \pi", "holds"),
                 (r"\sin t \ge 0", r"0 \le t \le 1", "holds"), (r"\sin t \ge 0", r"0 \le t \le a", "undecided"), (r"\sin t \ge 0", r"0 \le t \le 4", "fails"), (r"\sin t \le \frac34", r"0 \le t \le 1", "fails"),
