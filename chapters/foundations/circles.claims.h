@@ -344,7 +344,7 @@ treated alike in its four quadrants.
 :title: In n exact steps the last bit that is not 0 goes down by n m places
 :zh: 精确计算 n 步后末一非零位下移 nm 位
 :kind: decision
-:given: $P_0\ne(0,0)$ of binary coordinates, $2^b$ the power with which $2^bP_0$ has whole coordinates of which one is odd, $b$ may be negative; $\varepsilon=2^{-m}$, $m\ge1$, any
+:given: $P_0\ne(0,0)$ of binary coordinates, $2^b$ the power with which $2^bP_0$ has whole coordinates of which one is odd, $b$ any integer; $\varepsilon=2^{-m}$, $m\ge1$, any
   number $n$ of steps; $X=2^{nm+b}x_n$, $Y=2^{nm+b}y_n$
 :harmless: $P_0\ne(0,0)$ | the scope says so
 :then: $X$ and $Y$ are integers, and one of them is odd: shifts suffice, and no shorter words do
