@@ -177,7 +177,7 @@ found by Pythagoras, or from the tangent of half the angle.
 :holds-by: rotation_matrix_adds_the_angle
 :meant: the words above, by which a suitable $\Delta\theta$ is chosen | The step is given by its angle.
 :reading: rotation_matrix_adds_the_angle | the step is given by its angle: the entries of the matrix are its cosine and its sine
-:reading: rational_step_has_no_angle | any small and constant step will do: then no such function is needed
+:reading: rational_step_has_no_angle | any step that is small and always the same will do, and it needs trigonometric functions, too
 :argued: | The entries of the matrix are numbers of the step, and of the angle alone; so they have to be computed from it, by the two functions.
 :figure: three_generators
 :::
@@ -331,8 +331,8 @@ treated alike in its four quadrants.
 :holds-by: exact_steps_need_m_more_bits_each
 :meant: the words before it, by shifts (通过移位运算) | High speed is: with shifts in the place of products.  The circles or
   arcs are the points of (1-3-4).
-:hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out: to be exact, $n$ steps need $nm$ binary places more than
-  the first point.
+:hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out: in $n$ steps the last bit of the
+  point that is not 0 goes down by $nm$ places.
 :confirmed-by: short_coordinates_never_move
 :figure: circles_in_integers
 :::
@@ -341,10 +341,10 @@ treated alike in its four quadrants.
 #if RATIONAL
 /*
 :::{claim} exact_steps_need_m_more_bits_each
-:title: After n exact steps a coordinate has n m binary places more
-:zh: 精确计算每步增加 m 位
+:title: In n exact steps the last bit that is not 0 goes down by n m places
+:zh: 精确计算 n 步后末一非零位下移 nm 位
 :kind: decision
-:given: $P_0\ne(0,0)$ of binary coordinates, $2^b$ the power with which $2^bP_0$ has whole coordinates of which one is odd; $\varepsilon=2^{-m}$, $m\ge1$, any
+:given: $P_0\ne(0,0)$ of binary coordinates, $2^b$ the power with which $2^bP_0$ has whole coordinates of which one is odd, $b$ any integer; $\varepsilon=2^{-m}$, $m\ge1$, any
   number $n$ of steps; $X=2^{nm+b}x_n$, $Y=2^{nm+b}y_n$
 :harmless: $P_0\ne(0,0)$ | the scope says so
 :then: $X$ and $Y$ are integers, and one of them is odd: shifts suffice, and no shorter words do

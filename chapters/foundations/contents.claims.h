@@ -56,7 +56,7 @@ CLAIM(contents_has_nine_chapters)
 
 /*
 Page numbers are the one thing in a table of contents that can be checked without the book: they do not fall.  The next
-two statements do no more than that, and find two numbers that cannot be right together with their neighbours.
+statement does no more than that, and finds a number that cannot be right together with its neighbours.
 
 :::{statement} hu-1987:contents-page-order
 :title: The pages of the sections increase
@@ -139,7 +139,7 @@ CLAIM(other_pages_do_not_decrease)
 }
 
 /*
-The second number that can be compared is the page of a chapter with that of its first section.  Eight of nine agree.
+What can be compared, too, is the page of a chapter with that of its first section.  Eight of nine agree.
 For the ninth, chapter 2, the pages around it leave all possibilities open.
 
 :::{statement} hu-1987:contents-chapter-pages

@@ -146,7 +146,7 @@ CLAIM(position_is_not_the_tangent)
 :kind: decision
 :given: the ends $Q_0,Q_1$ on a line, with the derivatives $V_0,V_1$; the printed coefficients with $Q_i$ for every letter
 :data: Q = 0 1; V = 2 1
-:instead: Q = 2 1
+:instead: Q = 2 3
 :then: of $D,C,B,A$ as printed $D$ alone is right
 :result: printed D, C, B, A = 0 0 2 -1; corrected = 0 2 -2 1
 :method: Each against the corrected one, exactly.
@@ -337,7 +337,7 @@ If the shape is the set of the points, where it is, the first hypothesis is enou
 :types: rational
 :given: random ends and directions that are not all parallel, two different pairs of lengths, one of them or both different, longer or shorter
 :where: the ends and directions are not all parallel; the two pairs of lengths are different
-:then: the second curve is not contained in the implicit equation of the first
+:then: the second curve does not satisfy the implicit equation of the first
 :method: The equation by Bézout's determinant, at ten points of the second curve, at one of which it is not satisfied.
 :control: the lengths equal
 :::

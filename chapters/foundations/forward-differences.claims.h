@@ -87,13 +87,13 @@ CLAIM(differences_of_a_cubic)
 #if RATIONAL
 /*
 :::{claim} printed_first_difference_looks_back
-:title: With the printed argument the first difference has another sign
-:zh: 印刷的一阶差分符号有误
+:title: With the printed argument the first difference is another one
+:zh: 印刷的一阶差分是另一个差分
 :kind: counterexample
 :given: the cubic $P(t)=\sum_kc_kt^k$, that is with the coefficients $c$ from $D$ to $A$; $t$ and $\delta$
-:data: c = 0 0 0 1; t = 0; δ = 1
+:data: c = 0 0 0 1; t = 1/2; δ = 1/2
 :then: $P(t-\delta)-P(t)$ is not the expression that is printed for it
-:result: P(t-δ) - P(t) = -1; printed expression = 1
+:result: P(t-δ) - P(t) = -1/8; printed expression = 7/8
 :method: Both sides of the printed line, exactly.
 :control: $P(t+\delta)$
 :::
@@ -128,9 +128,9 @@ CLAIM(printed_first_difference_looks_back)
 :zh: 印刷的三阶差分符号有误
 :kind: counterexample
 :given: the cubic $P(t)=\sum_kc_kt^k$, that is with the coefficients $c$ from $D$ to $A$; $t$ and $\delta$
-:data: c = 0 0 0 1; t = 0; δ = 1
+:data: c = 0 0 0 1; t = 1/4; δ = 1/4
 :then: $\Delta^2P(t-\delta)-\Delta^2P(t)$ is the negative of the value that is printed for it
-:result: Δ²P(t-δ) - Δ²P(t) = -6; printed value = 6
+:result: Δ²P(t-δ) - Δ²P(t) = -3/32; printed value = 3/32
 :method: Both sides, with the printed $\Delta^2P(t)$, which is right.
 :control: $\Delta^2P(t+\delta)$
 :::
@@ -260,10 +260,10 @@ CLAIM(differences_by_alternating_sums)
 :zh: 一步不能到达第 i 点
 :kind: counterexample
 :given: the cubic $P(t)=\sum_kc_kt^k$, the step $\delta$ and $i$; $P_0$ and $\Delta P_0$ belong to $t=0$
-:data: c = 0 0 0 1; δ = 1; i = 2
+:data: c = 0 0 0 1; δ = 1/2; i = 2
 :instead: i = 1
 :then: $P_0+\Delta P_0$ is not $P(i\delta)$
-:result: P_0 + ΔP_0 = 1; P(iδ) = 8
+:result: P_0 + ΔP_0 = 1/8; P(iδ) = 1
 :method: Both values, exactly.
 :control: the first place
 :::
@@ -318,10 +318,9 @@ $\delta$; the places $i\delta$ are reached by $i$ steps and not by one.
 :zh: 差分递推
 :printed: P_1=P_0+\Delta P_0,\quad\Delta P_1=\Delta P_0+\Delta^2P_0,\quad\Delta^2P_1=\Delta^2P_0+\Delta^3P_0,\quad\Delta^3P_1=\Delta^3P_0
 :holds-by: printed_lines_step_a_cubic
-:meant: the lines themselves, one addition each | The differences with the index 1 are those at $t=\delta$, the next place, and not at $t=i\delta$.
 :confirmed-by: step_takes_differences_to_the_next_place
-:meant: the sentence behind it, by which additions lead from $t=0$ to $\delta,2\delta,\dots$ one after the other | $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at
-  $t=\delta$, not at the $t=i\delta$ that is printed for them.
+:meant: the lines themselves, one addition each, and the sentence behind them, by which additions lead from $t=0$ to $\delta,2\delta,\dots$ one after the other |
+  $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at $t=\delta$, the next place, not at the $t=i\delta$ that is printed for them.
 :figure: forward_differences
 :::
 

@@ -16,7 +16,7 @@ of degree two, the vector product of its first two derivatives.
 :::{statement} hu-1987:1-4-derivatives
 :title: The first two derivatives of the cubic
 :zh: 一、二阶导矢
-:printed: \dot P(t)=3At^2+2Bt+C,\qquad\ddot P(t)=6At+2B
+:printed: \dot P(t)=[\dot x\;\dot y\;\dot z]=3At^2+2Bt+C,\qquad\ddot P(t)=[\ddot x\;\ddot y\;\ddot z]=6At+2B
 :holds-by: derivatives_of_a_cubic
 :figure: derivatives_with_lost_dots
 :::
@@ -138,8 +138,8 @@ CLAIM(curvature_divides_by_zero_at_a_cusp)
 :kind: counterexample
 :given: the cubic $P(t)=\sum_kc_kt^k$ in space; $t$; the polynomial $\sum_kl_kt^k$
 :data: c = (0,0,0) (3,0,0) (0,3,0) (0,0,2); t = 1; l = 0 3 0 2
-:then: $s(t)=\sum_kl_kt^k$ is the length of the arc from 0 to $t$, because its derivative is $|\dot P|$; and the printed quotient is not
-  the curvature $K$
+:then: $s(t)=\sum_kl_kt^k$ is the length of the arc from 0 to $t$, because $s(0)=0$ and its derivative is $|\dot P|$; and the printed
+  quotient is not the curvature $K$
 :result: s(t) = 5; s'(t) = 9; printed quotient = 54/125; K = 2/27
 :method: The squares of $s'$ and of the speed are compared at five parameters, which determine a polynomial of degree four, and $s'>0$;
   then both numbers, exactly.
@@ -159,6 +159,7 @@ CLAIM(printed_letter_spoils_the_curvature)
         G(power_derivatives)(3, space, c, from_int(k), 2, D);
         is_the_length = is_the_length && equal_q(mul(slope, slope), G(norm_squared)(space, D + space));
     }
+    is_the_length = is_the_length && is_zero_q(l[0]);
     is_the_length = is_the_length && sign_on(growth, from_int(0), t, CLOSED) == SIGN_POSITIVE;
     G(power_derivatives)(3, space, c, t, 2, D);
     G(cross3)(D + space, D + 2 * space, turning);
@@ -221,8 +222,8 @@ polynomial and everything can be compared in rational numbers.
 :confirmed-by: sign_of_delta_tells_the_form merged_inflections_are_a_cusp fourth_power_has_curvature_zero_on_one_side
 :figure: forms_of_a_cubic
 
-For plane cubics with $A\times B\ne0$ a double zero of the quadratic $\dot P\times\ddot P$, whose discriminant is $12\delta$ by
-`sign_of_delta_tells_the_form`, is a cusp by `merged_inflections_are_a_cusp`.  A curve of higher degree may have $K=0$
+For plane cubics with $A\times B\ne0$ a double zero of the quadratic $\dot P\times\ddot P$, whose discriminant is $12\delta$ with
+$\delta=3b^2-4ac$ by `sign_of_delta_tells_the_form`, is a cusp by `merged_inflections_are_a_cusp`.  A curve of higher degree may have $K=0$
 and stay on one side of its tangent, as $(t,t^4)$ at $t=0$.
 :::
 
@@ -319,7 +320,7 @@ is not 0.
 :::{claim} turning_of_a_cubic_is_quadratic
 :title: The vector product of the two derivatives of a cubic
 :zh: 三次曲线的转向多项式
-:given: any plane cubic, and any cubic in space, any $t$
+:given: any plane cubic, and any cubic in space, any $t$; $a=A\times B$, $b=A\times C$, $c=B\times C$
 :then: $P'\times P''=-2(3at^2+3bt+c)$, of degree 2 or less, in the plane and, with vector products $a,b,c$, in space; the kernels give
   the numbers $a,b,c$ and the three coefficients
 :method: The derivatives of the definition, multiplied, against the polynomial, everything a variable; $a,b,c$ as determinants
@@ -445,7 +446,7 @@ Two do occur: `each_form_occurs`.
 
 :::{claim} line_has_curvature_zero_everywhere
 :title: Along a line the vector product is zero for every parameter
-:zh: 直线上曲率处处为零
+:zh: 直线上矢量积处处为零
 :kind: counterexample
 :given: the cubic $P(t)=\sum_kc_kt^k$, which runs on a line
 :data: c = (0,0) (1,0) (0,0) (1,0)

@@ -256,10 +256,10 @@ CLAIM(chord_turns_into_the_derivative)
 :zh: 二重点处有两条切线
 :kind: counterexample
 :given: the plane cubic $P(t)=\sum_kc_kt^k$, and two parameters $t$
-:data: c = (-1,0) (0,-1) (1,0) (0,1); t = -1 1
-:instead: t = 1 1
+:data: c = (3,-6) (-16,44) (16,-96) (0,64); t = 1/4 3/4
+:instead: t = 3/4 3/4
 :then: both parameters give one point, and the derivatives there are not 0, and not parallel
-:result: P(t) = (0,0) (0,0); P'(t) = (-2,2) (2,2)
+:result: P(t) = (0,0) (0,0); P'(t) = (-8,8) (8,8)
 :method: The points and derivatives by the kernel; that the two directions are one is refuted.
 :control: one parameter twice
 :::

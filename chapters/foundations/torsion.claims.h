@@ -259,9 +259,9 @@ from the others remove $t$ altogether; with the printed entry it does depend on 
 :zh: 印刷的元素使行列式出错
 :kind: counterexample
 :given: the cubic $P(t)=\sum_kc_kt^k$ in space, that is with the coefficients $c$ from $D$ to $A$, and $t$
-:data: c = (0,0,0) (0,0,1) (0,1,0) (1,0,1); t = 2
+:data: c = (0,0,0) (0,0,1) (0,1,0) (1,0,1); t = 1/2
 :then: the determinant with the printed rows is not the right side
-:result: rows = (12,4,7) (12,2,12) (6,0,6); printed determinant = 60; -12 (A,B,C) = -12
+:result: rows = (3/4,1,5/2) (3,2,3) (6,0,6); printed determinant = -21; -12 (A,B,C) = -12
 :method: The determinant as printed, exactly.
 :control: the entry with $t^2$
 :::
