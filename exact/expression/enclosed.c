@@ -152,6 +152,20 @@ static int is_beyond(cagd_context *c, const struct box *b, cagd_value x, const c
     return sign == 1 || (sign == 0 && !open);
 }
 
+/* Whether the name is within the bounds that it has in the part that is looked at. */
+static int is_in_part(const struct box *b, const cagd_binding *x)
+{
+    for (int up = 0; up < 2; up++) {
+        if (!(up ? x->has_high : x->has_low))
+            continue;
+        num_f bound = from_rational_f(up ? x->high : x->low);
+        int sign = sign_in(b, up ? sub_f(bound, x->value.f) : sub_f(x->value.f, bound));
+        if (sign != 1 && (sign != 0 || (up ? x->high_open : x->low_open)))
+            return 0;
+    }
+    return 1;
+}
+
 /* Whether everything that is supposed is true: what was declared of the names, what the part is, conditions. */
 static int is_supposed(const struct box *b)
 {
@@ -163,7 +177,8 @@ static int is_supposed(const struct box *b)
     for (int m = 0; m < count && is; m++) {
         const cagd_binding *x = &c->binding[m];
         const cagd_variable *v = x->variable;
-        if (v != NULL && !v->whole)
+        is = !x->unknown || is_in_part(b, x);
+        if (is && v != NULL && !v->whole)
             is = is_beyond(c, b, x->value, v->low, 0, v->low_open) &&
                  is_beyond(c, b, x->value, v->high, 1, v->high_open);
     }

@@ -208,6 +208,50 @@ static const cagd_tree *with_whole_indices(cagd_reader *r, const cagd_tree *left
     return count == 1 ? when : cagd_new_of(r, CAGD_ALL, when->from, count, list);
 }
 
+/* Whether the letter stands in t by itself, and is not that of a sum or an integral there. */
+static int has_free(const cagd_tree *t, const char *letter)
+{
+    int is_letter = t->head != NULL && strcmp(t->head, letter) == 0;
+    if (t->kind == CAGD_NAME ? is_letter && t->count == 0 : is_letter && t->kind != CAGD_DERIVATIVE)
+        return t->kind == CAGD_NAME;
+    for (int k = 0; k < t->count; k++)
+        if (has_free(t->at[k], letter))
+            return 1;
+    return 0;
+}
+
+/* The first name in t whose definition has the letter, which is none of its own: G in t G, where G = t^2 is; NULL where there is none. */
+static const cagd_tree *hides(const cagd_scope *scope, const cagd_tree *t, const char *letter)
+{
+    for (const cagd_definition *d = t->kind == CAGD_NAME ? scope->definitions : NULL; d != NULL; d = d->next) {
+        int own = 0;
+        for (int k = 0; k < d->left->count; k++)
+            own |= d->left->at[k]->kind == CAGD_NAME && strcmp(d->left->at[k]->head, letter) == 0;
+        if (strcmp(d->left->head, t->head) == 0 && !own && d->body != NULL && has_free(d->body, letter))
+            return t;
+    }
+    const cagd_tree *found = NULL;
+    for (int k = 0; k < t->count && found == NULL; k++)
+        found = hides(scope, t->at[k], letter);
+    return found;
+}
+
+/* An argument of the left side is asked for where it stands in another definition, too, that is no function of it. */
+static int hides_no_argument(cagd_reader *r, const cagd_tree *left, const cagd_tree *body)
+{
+    for (int k = left->lower + left->upper; k < left->count; k++) {
+        const cagd_tree *name = hides(r->scope, body, left->at[k]->head);
+        if (name != NULL)
+            return cagd_refuse_tree(r, name,
+                                    "%s was defined with %s, and not as its function: is that the argument on the left "
+                                    "here? write %s(%s), or take another "
+                                    "letter",
+                                    cagd_spelled(name->head), left->at[k]->head, cagd_spelled(name->head),
+                                    left->at[k]->head) != NULL;
+    }
+    return 1;
+}
+
 /* The right side of a definition, in which the arguments of the left side are known, and what stands behind it; `given`: NULL, or a
  * condition of the left side. */
 static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, const cagd_tree *given)
@@ -262,6 +306,7 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, 
             r->defines = NULL;
         }
     }
+    read = read && hides_no_argument(r, left, body);
     if (read && d->when != NULL)
         read = (d->when = with_whole_indices(r, left, d->when)) != NULL;
     if (read && given != NULL)

@@ -430,6 +430,16 @@ g(s,t) = s^2 t^3
             ("\\cos \\frac{s}{2} \\ge 0", "-\\pi \\le s \\le \\pi", "holds"), ("\\cos \\frac{s}{2} > 0", "-\\pi < s \\le \\pi", "fails"), ("\\sqrt{1 - \\sin^2 s} = \\cos s", "0 \\le s \\le \\frac{\\pi}{2}", "holds"),
             ("\\sqrt{1 - \\sin^2 s} = \\cos s", "0 \\le s \\le \\pi", "fails")))
 
+    def test_a_letter_in_a_definition_that_is_no_function_of_it(self):
+        """G = t^2, F(t) = t G: t^3 to whoever reads it, and t times a number to who reads G as it stands."""
+        for let, refused in (("G = t^2\nF(t) = t G", "G"), ("G = \\sin t\nF(t) = t + G", "G"), ("G = t^2\nF(s) = s G", ""), ("G(t) = t^2\nF(t) = t G(t)", ""), ("G = \\sum_{k=0}^2 x_k\nF(k) = k G", "")):
+            with self.subTest(let=let):
+                r = check(f":::{{let}}\nt, x_i \\in \\mathbb{{R}}\n{let}\n:::\n:::{{statement}} s\n:printed: t = t\n:::\n")
+                if refused:
+                    self.assertIn(f"{refused} was defined with t, and not as its function: is that the argument on the left here? write {refused}(t), or take another letter", r.stderr)
+                else:
+                    self.assertEqual(r.stderr, "")
+
     def test_angles_that_are_numbers(self):
         r"""A letter that is a number and stands in sines, and \pi as a number: what holds does so for t and tan(t/2) as two names; what fails is false in floating point, too."""
         let = r"""a, x, y \in \mathbb{R}
