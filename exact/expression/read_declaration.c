@@ -992,7 +992,7 @@ static int is_in_index(const cagd_token *first, const cagd_token *t)
 {
     int depth = 0;
     for (; t > first; t--) {
-        int opens = depth == 0 && strcmp(t[-1].word, "{") == 0;
+        int opens = depth == 0 && t - 1 > first && strcmp(t[-1].word, "{") == 0;
         depth += (strcmp(t[-1].word, "}") == 0) - (strcmp(t[-1].word, "{") == 0 && depth > 0);
         if (depth == 0 && strcmp(t[opens ? -2 : -1].word, "_") == 0 && (opens || t[-1].word[0] == '_'))
             return t - opens > first;
