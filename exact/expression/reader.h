@@ -225,4 +225,27 @@ int cagd_is_of_whole_numbers(const cagd_reader *r, const cagd_tree *t, int *has_
 /* Whether a letter may stand here that is not known. */
 int cagd_may_be_unknown(const cagd_reader *r);
 int cagd_is_bound(const cagd_reader *r, const char *head);
+/* ---- read_declaration.c, read_range.c -------------------------------------------------------------------- */
+
+/* Tries that fail leave no trace: cagd_back goes to where the reader was, and is 0. */
+typedef struct cagd_place {
+    const cagd_token *token;
+    int depth;
+} cagd_place;
+cagd_place cagd_here(const cagd_reader *r);
+int cagd_back(cagd_reader *r, cagd_place p);
+/* A name as it is declared: its indices are letters or numbers. */
+const cagd_tree *cagd_read_declared_name(cagd_reader *r);
+/* Ranges with commas between, up to the end; `before` is what was declared before this line. */
+int cagd_read_list_of_ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope *before);
+/* Whether the name can be the left side of a definition; with the condition *given that its indices are, which are numbers. */
+int cagd_is_left_side(cagd_reader *r, const cagd_tree *left, int may_repeat);
+const cagd_tree *cagd_with_given_indices(cagd_reader *r, const cagd_scope *scope, const cagd_tree *left,
+                                         const cagd_tree **given);
+/* Whether a letter is called as last indices are, n, m, N, M; and is one, a whole number. */
+int cagd_is_called_as_last(const char *letter);
+int cagd_is_last_index(const cagd_scope *scope, const char *letter);
+/* Of what has a last index that is not known it is asked whether all are meant; `value`: NULL for bounds. */
+int cagd_refuse_degree(cagd_reader *r, const cagd_scope *scope, const cagd_tree *name, const cagd_tree *value);
+
 #endif
