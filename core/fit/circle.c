@@ -8,8 +8,6 @@
 #include <stdlib.h>
 
 static const double PI = 3.14159265358979323846;
-static const double BENT =
-    0.05; /* distances over the radius, beyond which an arc has no intervals; see ellipse_result.c */
 
 enum { K, H, THETA, LOCAL };
 
@@ -154,7 +152,7 @@ static void judge(const cagd_fit_data *data, const cagd_fit_result *r, const fit
         sum += off * off;
     }
     to->rms = sqrt(sum / data->count);
-    if (to->rms <= BENT * to->radius.value)
+    if (to->rms <= CAGD_FIT_BENT * to->radius.value)
         fill_intervals(&s, quantile, to);
 }
 

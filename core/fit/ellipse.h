@@ -38,4 +38,9 @@ int fit_ellipse_of(const cagd_fit_data *data, int circle, const fit_ellipse *fro
  * ends in one point.  The arrays belong to the caller: free(points) frees all.  Returns 0 when there is no memory. */
 int fit_ellipse_curve(const fit_ellipse *ellipse, double phi0, double phi1, cagd_spline *curve, double **points);
 
+/* Distances over the smallest radius of curvature, beyond which an arc has no intervals.  Errors along an arc smear its points over more of it
+ * than it has, so that it seems to determine more than it does: of a third of a circle with errors of a tenth of the radius 90 to 92 % held
+ * the truth, and where the ends bend inwards among the points, as of an ellipse that the circle is not, none. */
+static const double CAGD_FIT_BENT = 0.05;
+
 #endif

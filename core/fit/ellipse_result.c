@@ -41,11 +41,6 @@ static cagd_fit_number number(const fit_ellipse *e, double value, const double g
  * (coverage_of_choices.c). */
 static const double WIDEST_ANGLE = 10;
 
-/* Distances over the smallest radius of curvature, beyond which an arc has no intervals.  Errors along an arc smear its points over more of it
- * than it has, so that it seems to determine more than it does: of a third of a circle with errors of a tenth of the radius 90 to 92 % held
- * the truth, and where the ends bend inwards among the points, as of an ellipse that the circle is not, none. */
-static const double BENT = 0.05;
-
 static void leave_intervals_out(int count, cagd_fit_number x[])
 {
     for (int k = 0; k < count; k++)
@@ -157,7 +152,7 @@ static void fill(const cagd_fit_data *data, const fit_ellipse *e, const fit_elli
     for (int c = 0; c < data->dim; c++)
         g[data->dim + c] = round->x[data->dim + c] / R;
     to->radius = number(round, R, g, r->scale_squared, r->quantile);
-    if (!to->whole && !(r->rms * to->major.value <= BENT * to->minor.value * to->minor.value)) {
+    if (!to->whole && !(r->rms * to->major.value <= CAGD_FIT_BENT * to->minor.value * to->minor.value)) {
         leave_intervals_out(data->dim, to->centre);
         leave_intervals_out(data->dim, to->circle_centre);
         leave_intervals_out(1, &to->radius);
