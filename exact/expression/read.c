@@ -1398,6 +1398,8 @@ static const cagd_tree *read_rows_apart(cagd_reader *r)
         for (int k = 0; k < several; k++)
             list[count++] = parts[k];
     }
+    while (r->token->kind != CAGD_TOKEN_END)
+        r->token++;
     return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
 }
 
