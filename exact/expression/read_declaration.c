@@ -143,6 +143,15 @@ static int is_certain_index(const cagd_scope *scope, const cagd_tree *t)
            (cagd_has_value(scope, t->head) || cagd_is_last_index(scope, t->head));
 }
 
+/* Whether an index is a letter with a value: n = 2, a_n = 0. */
+static int has_known_index(const cagd_scope *scope, const cagd_tree *name)
+{
+    int has = 0;
+    for (int k = 0; k < name->lower + name->upper; k++)
+        has |= name->at[k]->kind == CAGD_NAME && name->at[k]->count == 0 && cagd_has_value(scope, name->at[k]->head);
+    return has;
+}
+
 /* D_{\lfloor n/2 \rfloor}^n: an index that the others give becomes a letter that no text has, and *given the condition that it is that.  So does n in \omega_n, where
  * it is a certain index in `scope`, which may be NULL. */
 const cagd_tree *cagd_with_given_indices(cagd_reader *r, const cagd_scope *scope, const cagd_tree *left,
@@ -315,7 +324,7 @@ static int definition(cagd_reader *r, cagd_scope *scope)
         return cagd_refuse_tree(r, left, "the left side of a definition is a name with its indices and arguments") !=
                NULL;
     const cagd_tree *given = NULL;
-    int is_value = left->arguments == 0 && cagd_declared(scope, left->head) != NULL; /* of a variable */
+    int is_value = left->arguments == 0 && (cagd_declared(scope, left->head) != NULL || has_known_index(scope, left));
     const cagd_tree *as_written = left;
     left = cagd_with_given_indices(r, is_value ? scope : NULL, left, &given);
     if (left == NULL || !cagd_is_left_side(r, left, 1) ||

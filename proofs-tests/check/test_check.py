@@ -430,6 +430,20 @@ g(s,t) = s^2 t^3
             ("\\cos \\frac{s}{2} \\ge 0", "-\\pi \\le s \\le \\pi", "holds"), ("\\cos \\frac{s}{2} > 0", "-\\pi < s \\le \\pi", "fails"), ("\\sqrt{1 - \\sin^2 s} = \\cos s", "0 \\le s \\le \\frac{\\pi}{2}", "holds"),
             ("\\sqrt{1 - \\sin^2 s} = \\cos s", "0 \\le s \\le \\pi", "fails")))
 
+    def test_an_index_that_is_known_before(self):
+        """n = 2, a_n = 0 is said of a_2 alone, in lines of a block, too; with the range of i before it, a_i >= 0 is asked for."""
+        for let, ranges, printed, expected in (
+                ("n = 2\nc_n = 0", "", "c_1 = 0", "undecided"), ("n = 2\nc_n = 0", "", "c_2 = 0", "holds"), ("c_m = 2^m\nn = 2", "", "c_3 = 8", "holds"), ("c_n = 0\nn = 2", "", "c_1 = 0", "holds"),
+                ("c_i \\in \\mathbb{R}\ni = 0..2", r"c_i \ge 0", r"c_3 \ge 0", "refused"), ("c_i \\in \\mathbb{R}\ni = 0..2", r"c_i \ge 0, i = 0..3", r"c_3 \ge 0", "holds"),
+                ("c_i \\in \\mathbb{R}\ni = 0..2", r"c_j \ge 0", r"c_3 \ge 0", "holds"), ("c_i \\in \\mathbb{R}\nc_i \\ge 0\ni = 0..2", "", r"c_3 \ge 0", "holds")):
+            with self.subTest(let=let, ranges=ranges, printed=printed):
+                f = ":for: " + ranges + "\n" if ranges else ""
+                r = check(f":::{{let}}\n{let}\n:::\n:::{{statement}} s\n:printed: {printed}\n{f}:::\n", "--json")
+                if expected == "refused":
+                    self.assertIn("is it said of all c_i, or of those in the range of i that was told before?", r.stderr)
+                else:
+                    self.assertEqual(json.loads(r.stdout)["statements"][0]["verdict"], expected, r.stderr)
+
     def test_a_letter_in_a_definition_that_is_no_function_of_it(self):
         """G = t^2, F(t) = t G: t^3 to whoever reads it, and t times a number to who reads G as it stands."""
         for let, refused in (("G = t^2\nF(t) = t G", "G"), ("G = \\sin t\nF(t) = t + G", "G"), ("G = t^2\nF(s) = s G", ""), ("G(t) = t^2\nF(t) = t G(t)", ""), ("G = \\sum_{k=0}^2 x_k\nF(k) = k G", "")):
@@ -449,9 +463,10 @@ G(t) = t \cos t
 P(t) = \frac{F(t)}{F(a)}
 Q(t) = \frac{F(a - t)}{F(a)}
 R(t) = \sin(\pi t) - t
+H(t) = \begin{cases} t & \sin t \ge 0 \\ 0 & \sin t < 0 \end{cases}
 """
-        false_at = {r"2 \sin t \le t": lambda t: 2 * math.sin(t) > t, r"\cos t \le 1 - \frac{t^2}{2}": lambda t: math.cos(t) > 1 - t * t / 2, r"\sin t \le \frac34": lambda t: math.sin(t) > 0.75,
-                    r"R(t) \ge 0": lambda t: math.sin(math.pi * t) < t, r"F'(t) = 1 + \cos t": lambda t: abs(2 * math.cos(t)) > 1e-9}
+        sides = {r"2 \sin t \le t": lambda t: (2 * math.sin(t), t), r"\cos t \le 1 - \frac{t^2}{2}": lambda t: (math.cos(t), 1 - t * t / 2), r"\sin t \le \frac34": lambda t: (math.sin(t), 0.75),
+                 r"R(t) \ge 0": lambda t: (math.sin(math.pi * t) - t, 0), r"F'(t) = 1 + \cos t": lambda t: (1 - math.cos(t), 1 + math.cos(t)), r"G''(t) = -\sin t - t \cos t": lambda t: (-2 * math.sin(t) - t * math.cos(t), -math.sin(t) - t * math.cos(t))}
         for printed, ranges, expected in (
                 (r"F'(t) = 1 - \cos t", "", "holds"), (r"F'(t) = 1 + \cos t", "", "fails"), (r"F''(t) = \sin t", "", "holds"), (r"G''(t) = -2 \sin t - t \cos t", "", "holds"), (r"G''(t) = -\sin t - t \cos t", "", "fails"),
                 (r"\frac{d^2}{dx^2}(x \sin x) = 2 \cos x - x \sin x", "", "holds"), (r"\frac{d^2}{dx^2}(x \sin x) = 2 \cos x + x \sin x", "", "fails"), (r"F(2x) = 2x - 2 \sin x \cos x", "", "holds"), (r"F(x + y) = F(x) + F(y)", "", "fails"),
@@ -461,13 +476,30 @@ R(t) = \sin(\pi t) - t
                 (r"\sin t < t", r"0 \le t \le 1", "fails"), (r"2 \sin t \le t", r"0 \le t \le \pi", "fails"), (r"\cos t \le 1 - \frac{t^2}{2}", "", "fails"), (r"\cos t \ge -t^2", r"\frac{\pi}{2} \le t \le \pi", "holds"),
                 (r"\sin t \ge 0", r"0 \le t \le 1", "holds"), (r"\sin t \ge 0", r"0 \le t \le a", "undecided"), (r"\sin t \ge 0", r"0 \le t \le 4", "fails"), (r"\sin t \le \frac34", r"0 \le t \le 1", "fails"),
                 (r"\sin t = 1 \text{ if } t = \frac{\pi}{2}", "", "undecided"), (r"t \sin t = 0 \Rightarrow t = 0", "", "undecided"), (r"\sin t \le t", r"0 \le t \le 1", "undecided"),
+                (r"|\sin t| + t \ge \sin t + t", "", "holds"), (r"|\sin t| + t \ge 2 \sin t + t", "", "fails"), (r"t |\sin t| = t \sin t", r"0 \le t \le 3", "holds"), (r"t |\sin t| = t \sin t", r"0 \le t \le 4", "fails"),
+                (r"H(t) \ge 0", r"-1 \le t \le 2", "undecided"), (r"H(t) \ge 0", r"-5 \le t \le 2", "fails"), (r"\cos t \ge \frac{54}{100}", r"0 \le t \le 1", "undecided"), (r"\cos t \ge \frac{55}{100}", r"0 \le t \le 1", "fails"),
+                (r"\cos t \ge \frac{54}{100}", r"0 \le t \le x, x \le 1", "undecided"), (r"\cos t \ge \frac{55}{100}", r"0 \le t \le x, x \le 1", "fails"), (r"2 \sin t \le t \text{ if } t \ge 2", r"0 \le t \le 4", "holds"), (r"2 \sin t \le t \text{ if } t \le 2", r"0 \le t \le 4", "fails"),
                 (r"R'(t) = \pi \cos(\pi t) - 1", "", "undecided"), (r"R(t) \ge 0", r"0 \le t \le 1", "fails"), (r"\sin t + \sin(\pi t) = 0", "", "undecided")):
             with self.subTest(printed=printed, ranges=ranges):
                 f = ":for: " + ranges + "\n" if ranges else ""
                 r = json.loads(check(f":::{{let}}\n{let}:::\n:::{{statement}} s\n:printed: {printed}\n{f}:::\n", "--json").stdout)["statements"][0]
                 self.assertEqual(r["verdict"], expected, r)
-                if printed in false_at:
-                    self.assertTrue(false_at[printed](float(fractions.Fraction(r["counterexample"]["values"][-1]["value"]))))
+                if printed in sides:
+                    left, right = sides[printed](float(fractions.Fraction(r["counterexample"]["values"][-1]["value"])))
+                    self.assertEqual(r["counterexample"]["left_is"], "less than" if left < right else "greater than")
+
+    def test_enclosures_are_narrow_and_have_the_number_in_them(self):
+        """Sines, cosines and \\pi beside their first twenty digits, and these with one more in the last place: the false one fails, the true one does not."""
+        def order(value, digits):
+            """value from the first digits of it, and what is a little more: which relation to each is false."""
+            return ((value + r" \le \frac{%d}{10^{20}}" % digits, "fails"), (value + r" \le \frac{%d}{10^{20}}" % (digits + 1), "undecided"),
+                    (value + r" \ge \frac{%d}{10^{20}}" % (digits + 1), "fails"), (value + r" \ge \frac{%d}{10^{20}}" % digits, "undecided"))
+        for value, ranges, digits in ((r"\sin t", r"1 \le t \le 1", 84147098480789650665), (r"\cos t", r"1 \le t \le 1", 54030230586813971740), (r"\sin \frac{t}{2}", r"1 \le t \le 1", 47942553860420300027),
+                                      (r"\sin t", r"4 \le t \le 4", -75680249530792825138), (r"\cos t", r"3 \le t \le 3", -98999249660044545728), (r"\sin t", r"-2 \le t \le -2", -90929742682568169540),
+                                      (r"t - \sin t", r"1 \le t \le 1", 15852901519210349334), (r"\pi", "n = 1", 314159265358979323846)):
+            for printed, expected in order(value, digits):
+                with self.subTest(printed=printed, ranges=ranges):
+                    self.assertEqual(verdict(printed, ranges, "t \\in \\mathbb{R}\n")["verdict"], expected)
 
     def test_bounds_of_angles_whose_tangents_are_roots(self):
         """Ends that belong to the range and ends that do not; ranges through half a turn; amounts, of which no side is linear."""
