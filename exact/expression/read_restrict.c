@@ -57,19 +57,6 @@ static const cagd_tree *range_of_letter(const struct said *s, const cagd_tree *l
     return cagd_is_in_list(s->reader, letter, &list);
 }
 
-/* Whether an index has a range that was told before this list, so that all indices can be meant or those alone. */
-static const cagd_tree *has_earlier_range(const struct said *s)
-{
-    for (int k = 0; k < s->left->lower + s->left->upper; k++) {
-        const cagd_tree *letter = s->left->at[k];
-        const cagd_variable *v = is_letter(letter) ? cagd_declared(s->before, letter->head) : NULL;
-        if (v != NULL && v->whole && v->high != NULL && v == cagd_declared(s->scope, letter->head) &&
-            !cagd_is_called_as_last(letter->head) && !cagd_has_value(s->scope, letter->head))
-            return letter;
-    }
-    return NULL;
-}
-
 /* For which indices it is said: 1 and *when, which is NULL where for all; 0 and the error. */
 static int when_said(const struct said *s, const cagd_tree **when)
 {
@@ -146,6 +133,30 @@ static int fits_earlier(const struct said *s, const cagd_variable *v, int is_in_
     return 1;
 }
 
+/* Whether an index has a range that was told before this list, so that all indices can be meant or those alone. */
+static const cagd_tree *has_earlier_range(const struct said *s)
+{
+    for (int k = 0; k < s->left->lower + s->left->upper; k++) {
+        const cagd_tree *letter = s->left->at[k];
+        const cagd_variable *v = is_letter(letter) ? cagd_declared(s->before, letter->head) : NULL;
+        if (v != NULL && v->whole && v->high != NULL && v == cagd_declared(s->scope, letter->head) &&
+            !cagd_is_called_as_last(letter->head) && !cagd_has_value(s->scope, letter->head))
+            return letter;
+    }
+    return NULL;
+}
+
+static int fits_earlier_range(struct said *s, const cagd_variable *v)
+{
+    s->left = v->left;
+    const cagd_tree *letter = is_of_all(v) && v->when == NULL ? has_earlier_range(s) : NULL;
+    return letter == NULL ||
+           cagd_refuse_tree(s->reader, v->left,
+                            "is it said of all %s, or of those in the range of %s that was told before? write that "
+                            "range behind it, or take another letter",
+                            cagd_spelled(v->left->head), letter->head) != NULL;
+}
+
 static int restrict_values(struct said *s)
 {
     int known = 0;
@@ -175,16 +186,10 @@ int cagd_restrict_to_ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope 
             continue;
         if (!when_said(&s, &own->when))
             return 0;
-        const cagd_tree *letter = own->when == NULL ? has_earlier_range(&s) : NULL;
-        if (letter != NULL)
-            return cagd_refuse_tree(r, v->left,
-                                    "is it said of all %s, or of those in the range of %s that was told before? "
-                                    "write that range behind it, or take another letter",
-                                    cagd_spelled(v->left->head), letter->head) != NULL;
         find_ends(&s, own);
     }
     for (const cagd_variable *v = scope->variables; v != NULL && v != before->variables; v = v->next)
-        if ((is_of_all(v) || is_one(v)) && has_bounds(v) && !fits_earlier(&s, v, 1))
+        if ((is_of_all(v) || is_one(v)) && has_bounds(v) && (!fits_earlier(&s, v, 1) || !fits_earlier_range(&s, v)))
             return 0;
     return restrict_values(&s);
 }
