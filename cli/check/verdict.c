@@ -341,8 +341,8 @@ static void print_example(const struct document *d, const cagd_finding *f)
         paragraph("There the two sides are different.", 1);
     else if (f->is_enclosed)
         paragraph(append("",
-                         "The left side, about %.6g, is %s the right one, about %.6g; both lie between rational "
-                         "numbers that tell it.",
+                         "The left side, about %.6g, is %s the right one, about %.6g: decided with rational bounds of "
+                         "what is no rational number.",
                          f->near_left, order_word[f->order + 1], f->near_right),
                   1);
     else if (f->has_root)
@@ -554,12 +554,15 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         json_t *values = json_array();
         for (int k = 0; k < f->given; k++)
             json_array_append_new(values, given_json(&f->example[k]));
-        example = f->has_root          ? json_pack("{s:o, s:s}", "values", values, "left_is", order_word[f->order + 1])
-                  : f->of_left == NULL ? json_pack("{s:o}", "values", values)
-                                       : json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex",
-                                                   side_of(d, f->of_left), "relation", relation_word[f->relation],
-                                                   "right_tex", side_of(d, f->of_right), "left", to_string_q(f->left),
-                                                   "right", to_string_q(f->right));
+        example =
+            f->is_enclosed ? json_pack("{s:o, s:s, s:f, s:f}", "values", values, "left_is", order_word[f->order + 1],
+                                       "left_about", f->near_left, "right_about", f->near_right)
+            : f->has_root  ? json_pack("{s:o, s:s}", "values", values, "left_is", order_word[f->order + 1])
+            : f->of_left == NULL
+                ? json_pack("{s:o}", "values", values)
+                : json_pack("{s:o, s:s, s:s, s:s, s:s, s:s}", "values", values, "left_tex", side_of(d, f->of_left),
+                            "relation", relation_word[f->relation], "right_tex", side_of(d, f->of_right), "left",
+                            to_string_q(f->left), "right", to_string_q(f->right));
     }
     char *scope = tex_to_text(scope_of_finding(d, s, f), 1);
     json_t *j = json_pack("{s:s, s:i, s:s, s:s, s:s, s:s, s:I, s:I, s:I, s:o}", "name", s->name, "line", s->line,

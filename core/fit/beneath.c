@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stddef.h>
 
-static const double OF_EXTENT = 1e-5, OF_WIDTH = 1e-4;
 static const double COARSE = 0.02; /* of the extent: coordinates of one or two digits are no rounded ones */
 
 double fit_extent_of(const cagd_fit_data *data, double middle[])
@@ -116,7 +115,7 @@ cagd_fit_beneath fit_beneath(const cagd_fit_data *data, const cagd_fit_result *r
         return CAGD_FIT_BENEATH_DIGITS;
     if (data->sigma != NULL)
         return are_within_deviations(data, r) ? CAGD_FIT_BENEATH_DEVIATIONS : CAGD_FIT_BENEATH_NOTHING;
-    return r->largest <= OF_EXTENT * fit_extent_of(data, middle) && r->largest <= OF_WIDTH * width_of(data)
+    return r->largest <= FIT_OF_EXTENT * fit_extent_of(data, middle) && r->largest <= FIT_OF_WIDTH * width_of(data)
                ? CAGD_FIT_BENEATH_SIZE
                : CAGD_FIT_BENEATH_NOTHING;
 }

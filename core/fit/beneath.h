@@ -13,6 +13,8 @@
 
 #include "core/fit/cagd_fit.h"
 
+static const double FIT_OF_EXTENT = 1e-5, FIT_OF_WIDTH = 1e-4;
+
 cagd_fit_beneath fit_beneath(const cagd_fit_data *data, const cagd_fit_result *result);
 
 /* The diagonal of the box about the points, and its middle. */

@@ -133,7 +133,7 @@ static void judge(const cagd_fit_data *data, const cagd_fit_result *r, const fit
     const double ratio = fmax(0, round->chi_squared - r->chi_squared) / 2 / (r->chi_squared / d);
     const double probability = fit_f_probability(ratio, 2, d), rms = sqrt(round->chi_squared / data->count);
     const int rounded = data->sigma == NULL && rms <= rounding_of(data);
-    if (!round->converged || round->unknowns < 3 || !(rounded || probability > 0.05))
+    if (!round->converged || round->unknowns < 3 || !(rounded || probability > FIT_NO_CIRCLE))
         return;
     const double scale_squared = known ? 1 : round->chi_squared / (data->count - 3);
     const double quantile = known ? fit_normal_quantile() : fit_student_quantile(data->count - 3);
@@ -152,7 +152,7 @@ static void judge(const cagd_fit_data *data, const cagd_fit_result *r, const fit
         sum += off * off;
     }
     to->rms = sqrt(sum / data->count);
-    if (to->rms <= CAGD_FIT_BENT * to->radius.value)
+    if (to->rms <= FIT_BENT * to->radius.value)
         fill_intervals(&s, quantile, to);
 }
 

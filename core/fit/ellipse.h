@@ -41,6 +41,9 @@ int fit_ellipse_curve(const fit_ellipse *ellipse, double phi0, double phi1, cagd
 /* Distances over the smallest radius of curvature, beyond which an arc has no intervals.  Errors along an arc smear its points over more of it
  * than it has, so that it seems to determine more than it does: of a third of a circle with errors of a tenth of the radius 90 to 92 % held
  * the truth, and where the ends bend inwards among the points, as of an ellipse that the circle is not, none. */
-static const double CAGD_FIT_BENT = 0.05;
+static const double FIT_BENT = 0.05;
+
+/* The probability, by chance, of what the points say against a circle, up to which they contradict it. */
+static const double FIT_NO_CIRCLE = 0.05;
 
 #endif

@@ -152,7 +152,7 @@ static void fill(const cagd_fit_data *data, const fit_ellipse *e, const fit_elli
     for (int c = 0; c < data->dim; c++)
         g[data->dim + c] = round->x[data->dim + c] / R;
     to->radius = number(round, R, g, r->scale_squared, r->quantile);
-    if (!to->whole && !(r->rms * to->major.value <= CAGD_FIT_BENT * to->minor.value * to->minor.value)) {
+    if (!to->whole && !(r->rms * to->major.value <= FIT_BENT * to->minor.value * to->minor.value)) {
         leave_intervals_out(data->dim, to->centre);
         leave_intervals_out(data->dim, to->circle_centre);
         leave_intervals_out(1, &to->radius);
@@ -174,10 +174,10 @@ static int is_circle(const cagd_fit_data *data, const fit_ellipse *e, const fit_
     const double more = round->chi_squared - e->chi_squared;
     if (data->sigma != NULL) {
         to->ratio = more / 2;
-        return exp(-more / 2) > 0.05; /* of chi squared with 2 degrees of freedom */
+        return exp(-more / 2) > FIT_NO_CIRCLE; /* of chi squared with 2 degrees of freedom */
     }
     to->ratio = more / 2 / (e->chi_squared / d);
-    return to->circle_rms <= rounding || beyond(to->ratio, d) > 0.05;
+    return to->circle_rms <= rounding || beyond(to->ratio, d) > FIT_NO_CIRCLE;
 }
 
 /* The ellipse, from the first one or from the circle; NULL where the minimiser does not come to its end. */

@@ -464,6 +464,7 @@ P(t) = \frac{F(t)}{F(a)}
 Q(t) = \frac{F(a - t)}{F(a)}
 R(t) = \sin(\pi t) - t
 H(t) = \begin{cases} t & \sin t \ge 0 \\ 0 & \sin t < 0 \end{cases}
+M(t) = \begin{cases} t - x & t \ge x \\ 0 & t < x \end{cases}
 """
         sides = {r"2 \sin t \le t": lambda t: (2 * math.sin(t), t), r"\cos t \le 1 - \frac{t^2}{2}": lambda t: (math.cos(t), 1 - t * t / 2), r"\sin t \le \frac34": lambda t: (math.sin(t), 0.75),
                  r"R(t) \ge 0": lambda t: (math.sin(math.pi * t) - t, 0), r"F'(t) = 1 + \cos t": lambda t: (1 - math.cos(t), 1 + math.cos(t)), r"G''(t) = -\sin t - t \cos t": lambda t: (-2 * math.sin(t) - t * math.cos(t), -math.sin(t) - t * math.cos(t))}
@@ -479,6 +480,9 @@ H(t) = \begin{cases} t & \sin t \ge 0 \\ 0 & \sin t < 0 \end{cases}
                 (r"|\sin t| + t \ge \sin t + t", "", "holds"), (r"|\sin t| + t \ge 2 \sin t + t", "", "fails"), (r"t |\sin t| = t \sin t", r"0 \le t \le 3", "holds"), (r"t |\sin t| = t \sin t", r"0 \le t \le 4", "fails"),
                 (r"H(t) \ge 0", r"-1 \le t \le 2", "undecided"), (r"H(t) \ge 0", r"-5 \le t \le 2", "fails"), (r"\cos t \ge \frac{54}{100}", r"0 \le t \le 1", "undecided"), (r"\cos t \ge \frac{55}{100}", r"0 \le t \le 1", "fails"),
                 (r"\cos t \ge \frac{54}{100}", r"0 \le t \le x, x \le 1", "undecided"), (r"\cos t \ge \frac{55}{100}", r"0 \le t \le x, x \le 1", "fails"), (r"2 \sin t \le t \text{ if } t \ge 2", r"0 \le t \le 4", "holds"), (r"2 \sin t \le t \text{ if } t \le 2", r"0 \le t \le 4", "fails"),
+                (r"M(t) + t \ge \sin t", r"t \ge 0", "undecided"), (r"M(t) + t \ge 2 \sin t", r"t \ge 0", "fails"), (r"t^2 + \sin^2 t > 0", "", "fails"), (r"\frac{t^3}{t} + \sin^2 t > 0", "", "holds"),
+                (r"\cos t \ge \frac{54}{100}", r"t \ge 0, t \le x^2, x^2 \le 1", "undecided"), (r"\cos t \ge \frac{55}{100}", r"t \ge 0, t \le x^2, x^2 \le 1", "fails"),
+                (r"t^2 \le 1 \Rightarrow \cos t \ge \frac{54}{100}", "", "undecided"), (r"t^2 \le 1 \Rightarrow \cos t \ge \frac{55}{100}", "", "fails"), (r"t^2 \le 1, t + \sin t \ge 0 \Rightarrow \cos t \ge \frac{54}{100}", "", "undecided"),
                 (r"R'(t) = \pi \cos(\pi t) - 1", "", "undecided"), (r"R(t) \ge 0", r"0 \le t \le 1", "fails"), (r"\sin t + \sin(\pi t) = 0", "", "undecided")):
             with self.subTest(printed=printed, ranges=ranges):
                 f = ":for: " + ranges + "\n" if ranges else ""

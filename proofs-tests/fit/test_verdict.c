@@ -1,5 +1,6 @@
 /* test_verdict.c -- whether a fit is called good: true models are, a nose that they pass by is not, and structure counts unless all distances are
  * beneath what the points are given to; of few points as of many, and deviations that are given wrongly are told. */
+#include "core/fit/beneath.h"
 #include "core/fit/cagd_fit.h"
 #include "proofs-tests/fit/noise.h"
 
@@ -199,12 +200,16 @@ static int counts(cagd_fit_quality q)
 
 static void test_beneath(void)
 {
-    ask(is_told(quality_of(1, 1e-7, 0, 0), CAGD_FIT_BENEATH_SIZE), "structure of 1e-7 of the extent is told");
-    ask(is_told(quality_of(1, 8e-6, 0, 0), CAGD_FIT_BENEATH_SIZE), "so is that of 0.8e-5");
-    ask(counts(quality_of(1, 2e-5, 0, 0)), "that of 2e-5 counts");
-    ask(is_told(quality_of(0.05, 5e-7, 0, 0), CAGD_FIT_BENEATH_SIZE),
-        "that of points with a width of 0.02, 1e-6 of which it is beneath, is told");
-    ask(counts(quality_of(0.05, 5e-6, 0, 0)), "that of 2e-4 of the width counts");
+    /* y = h u (1-u) is h/4 high over a unit; its main axis is at the mean height h/6, from which the ends are farthest */
+    const double high = 1, low = 0.05, extent = FIT_OF_EXTENT * hypot(1, high / 4), width = FIT_OF_WIDTH * 2 * low / 6;
+    ask(is_told(quality_of(high, extent / 100, 0, 0), CAGD_FIT_BENEATH_SIZE),
+        "structure far beneath the share of the extent is told");
+    ask(is_told(quality_of(high, 0.8 * extent, 0, 0), CAGD_FIT_BENEATH_SIZE), "so is one of four fifths of that share");
+    ask(counts(quality_of(high, 2 * extent, 0, 0)), "twice that share counts");
+    ask(is_told(quality_of(low, 0.3 * width, 0, 0), CAGD_FIT_BENEATH_SIZE),
+        "of points that are nearly straight a third of the share of their width is told");
+    ask(counts(quality_of(low, 3 * width, 0, 0)), "three times that share counts, beneath the share of the extent");
+    ask(3 * width < FIT_OF_EXTENT, "which it is");
     ask(counts(quality_of(0, 1e-6, 0, 0)), "that of points along a straight line, which is all their form, counts");
     ask(is_told(quality_of(1, 0.001, 0, 0.0015), CAGD_FIT_BENEATH_DEVIATIONS),
         "structure within the given deviations is told");
