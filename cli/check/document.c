@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_COMPLAINTS = 20, WIDEST = 100, MESSAGE = 400 };
+enum { MOST_COMPLAINTS = 20, WIDEST = 100, LONGEST_SHOWN = 4000, MESSAGE = 400 };
 static const double usual_seconds = 10;
 
 const char *const expected_name[] = {"holds", "fails", "undecided"};
@@ -75,22 +75,33 @@ static const char *with_blanks(const char *text, int length)
     return copy;
 }
 
-/* The line if it is not too long, and a caret under bytes of it. */
+/* Of a line that people write: of a wide one the columns about the bytes, between dots; and a caret under the bytes. */
 static void show_place(const char *text, int size, int from, int to)
 {
+    static const char dots[] = "…";
     int begin = from, end = from;
     while (begin > 0 && text[begin - 1] != '\n')
         begin--;
     while (end < size && text[end] != '\n')
         end++;
-    const char *whole = with_blanks(text + begin, end - begin), *before = with_blanks(text + begin, from - begin);
-    if (end - begin > WIDEST || whole == NULL)
+    const char *whole = end - begin <= LONGEST_SHOWN ? with_blanks(text + begin, end - begin) : NULL;
+    if (whole == NULL)
         return;
-    fprintf(stderr, "  %s\n  ", whole);
-    for (int k = before != NULL ? columns_of(before) : 0; k > 0; k--)
+    const char *left = whole, *right = whole + (end - begin), *mark = whole + (from - begin);
+    while (columns_between(left, right) > WIDEST && columns_between(left, mark) > WIDEST / 2)
+        do
+            left++;
+        while (!is_character(left));
+    while (columns_between(left, right) > WIDEST)
+        do
+            right--;
+        while (!is_character(right));
+    const char *before = left > whole ? dots : "", *behind = right < whole + (end - begin) ? dots : "";
+    fprintf(stderr, "  %s%.*s%s\n  ", before, (int)(right - left), left, behind);
+    for (int k = columns_of(before) + columns_between(left, mark); k > 0; k--)
         fputc(' ', stderr);
     fputc('^', stderr);
-    for (int k = from + 1; k < to && k < end; k++)
+    for (int k = from + 1; k < to && k < end && k < begin + (int)(right - whole); k++)
         if (is_character(text + k))
             fputc('~', stderr);
     fputc('\n', stderr);

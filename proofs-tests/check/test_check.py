@@ -1905,6 +1905,21 @@ class Mistakes(unittest.TestCase):
                 self.assertEqual(at - 2, int(place.split(":")[1]) - 1)
                 self.assertEqual((caret.strip(), source[at:len(caret)]), ("^" + "~" * max(0, len(marked) - 1), marked))
 
+    def test_of_a_wide_line_what_is_about_the_mistake_is_shown(self):
+        for before, behind in ((0, 200), (40, 200), (51, 49), (200, 0), (200, 200), (100, 1)):
+            text = document("x = x " + " " * before + "+ zz" + " + 1" * behind)
+            line = next(l for l in text.splitlines() if "zz" in l)
+            first, source, caret = check(text).stderr.splitlines()
+            shown = source[2:].strip("…")
+            self.assertTrue(source[caret.index("^"):].startswith("zz"))
+            self.assertEqual(caret.index("^") + 1, len(caret) if "~" not in caret else caret.index("~"))
+            self.assertEqual(len(shown), min(len(line), 100))
+            self.assertIn(shown, line)
+            self.assertEqual((source[2:].startswith("…"), source.endswith("…")), (not line.startswith(shown), not line.endswith(shown)))
+        source = check(document("x = x + 汉" + " " * 200 + "+ 汉" * 30)).stderr.splitlines()[1] # two columns each
+        self.assertEqual(source[2:], ":printed: x = x + 汉" + " " * (100 - 20) + "…")
+        self.assertEqual(len(check(document("x = zz" + " + 1" * 1000)).stderr.splitlines()), 1)
+
     def test_a_definition_that_is_never_taken(self):
         """An earlier one fits wherever it does; one with a condition, or for some indices alone, does not."""
         for lines, is_refused in (("q_0 = 1\nq_0 = 2", True), ("g_0(s) = s\ng_0(u) = 2 u", True), ("q_{0,j} = 1\nq_{0,1} = 2", True), ("q_{0,1} = 1\nq_{0,j} = 2", False), ("q_0 = 1\nq_1 = 2", False),
