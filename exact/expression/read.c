@@ -1280,7 +1280,7 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
     return count == 1 ? list[0] : all;
 }
 
-static int at_the_end(cagd_reader *r)
+int cagd_at_the_end(cagd_reader *r)
 {
     if (r->token->kind == CAGD_TOKEN_SIGN && strcmp(r->token->word, ".") == 0)
         r->token++;
@@ -1311,96 +1311,7 @@ const cagd_tree *cagd_read_value(const cagd_scope *scope, const char *text, int 
     if (!cagd_reader_open(&r, scope, text, from, to, error))
         return NULL;
     const cagd_tree *t = cagd_read_sum(&r);
-    return t != NULL && at_the_end(&r) ? t : NULL;
-}
-
-/* ---- rows ------------------------------------------------------------------------------------------------ */
-
-/* Whether a break of a row stands right before the token. */
-static int is_behind_break(const cagd_reader *r, const cagd_token *first, const cagd_token *t)
-{
-    for (int k = t > first ? t[-1].to : t->from; k + 1 < t->from; k++)
-        if (r->text[k] == '\\' && r->text[k + 1] == '\\')
-            return 1;
-    return 0;
-}
-
-/* The first sign or word of the row at t that reaches beyond a relation: an arrow, "or", a quantifier, "for"; those that begin a row of their own, with
- * `alone`, or the others; NULL where there is none. */
-static const cagd_token *reaching(const cagd_reader *r, const cagd_token *t, int alone)
-{
-    static const char *const words[] = {"\\lor", "\\Rightarrow", "\\Leftarrow", "\\iff", "\\forall", "\\exists"};
-    const cagd_token *first = r->token;
-    cagd_reader at = *r;
-    for (at.token = t; at.token->kind != CAGD_TOKEN_END && at.token->kind != CAGD_TOKEN_ROW;) {
-        const cagd_token *here = at.token;
-        const char *said = cagd_read_words(&at);
-        int is = said != NULL && strncmp(said, "and", 3) != 0 && strspn(said, " ,.;~") < strlen(said);
-        for (size_t k = 0; k < sizeof words / sizeof *words; k++)
-            is |= strcmp(here->word, words[k]) == 0;
-        if (is && is_behind_break(r, first, here) == alone && (!alone || here > t))
-            return here;
-        at.token += said == NULL;
-    }
-    return NULL;
-}
-
-static const cagd_token *end_of_row(const cagd_token *t)
-{
-    while (t->kind != CAGD_TOKEN_END && t->kind != CAGD_TOKEN_ROW)
-        t++;
-    return t;
-}
-
-/* Whether some row has an arrow, "for" and the like: these reach over that row alone. */
-static int are_read_apart(const cagd_reader *r)
-{
-    const cagd_token *t = r->token, *end = end_of_row(t);
-    int is = 0;
-    for (; end->kind == CAGD_TOKEN_ROW || (t != r->token && t->kind != CAGD_TOKEN_END); t = end, end = end_of_row(t)) {
-        is |= reaching(r, t, 0) != NULL;
-        end += end->kind == CAGD_TOKEN_ROW;
-    }
-    return is;
-}
-
-/* Rows, each of them read as if it stood alone. */
-static const cagd_tree *read_rows_apart(cagd_reader *r)
-{
-    const cagd_tree *list[CAGD_MOST_CHILDREN];
-    const cagd_token *t = r->token, *unclear;
-    int count = 0, from = t->from;
-    for (const cagd_token *end; t != NULL; t = end->kind == CAGD_TOKEN_ROW ? end + 1 : NULL) {
-        end = end_of_row(t);
-        unclear = reaching(r, t, 1);
-        if (end->kind == CAGD_TOKEN_ROW && (strcmp(t->word, "\\forall") == 0 || strcmp(t->word, "\\exists") == 0))
-            unclear = t;
-        if (unclear != NULL) {
-            r->token = unclear;
-            return cagd_refuse_token(
-                r, "does this reach over its own row, or over others, too? write a statement for each");
-        }
-        cagd_reader row = *r;
-        cagd_token *own = cagd_region_array((int)(end - t) + 1, 1, sizeof *own);
-        if (own == NULL)
-            return cagd_refuse_token(r, "there is no memory for the formula");
-        memcpy(own, t, (size_t)(end - t) * sizeof *own);
-        own[end - t] = (cagd_token){CAGD_TOKEN_END, "", end->from, end->to};
-        row.token = own;
-        const cagd_tree *said = cagd_read_for_all_numbers(&row);
-        if (said == NULL || !at_the_end(&row))
-            return NULL;
-        r->nodes = row.nodes;
-        const cagd_tree *const *parts = said->kind == CAGD_ALL ? said->at : &said;
-        int several = said->kind == CAGD_ALL ? said->count : 1;
-        if (count + several > CAGD_MOST_CHILDREN)
-            return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
-        for (int k = 0; k < several; k++)
-            list[count++] = parts[k];
-    }
-    while (r->token->kind != CAGD_TOKEN_END)
-        r->token++;
-    return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
+    return t != NULL && cagd_at_the_end(&r) ? t : NULL;
 }
 
 const cagd_tree *cagd_read_statement(const cagd_scope *scope, const char *text, int from, int to,
@@ -1409,8 +1320,8 @@ const cagd_tree *cagd_read_statement(const cagd_scope *scope, const char *text, 
     cagd_reader r;
     if (!cagd_reader_open(&r, scope, text, from, to, error))
         return NULL;
-    if (are_read_apart(&r))
-        return read_rows_apart(&r);
+    if (cagd_are_read_apart(&r))
+        return cagd_read_rows_apart(&r);
     const cagd_tree *t = cagd_read_for_all_numbers(&r);
-    return t != NULL && at_the_end(&r) ? t : NULL;
+    return t != NULL && cagd_at_the_end(&r) ? t : NULL;
 }

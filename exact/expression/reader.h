@@ -225,6 +225,14 @@ int cagd_is_of_whole_numbers(const cagd_reader *r, const cagd_tree *t, int *has_
 /* Whether a letter may stand here that is not known. */
 int cagd_may_be_unknown(const cagd_reader *r);
 int cagd_is_bound(const cagd_reader *r, const char *head);
+/* ---- read_rows.c ----------------------------------------------------------------------------------------- */
+
+/* Whether some row has an arrow, "for" and the like: these reach over that row alone; and rows, each of them read as if it stood alone. */
+int cagd_are_read_apart(const cagd_reader *r);
+const cagd_tree *cagd_read_rows_apart(cagd_reader *r);
+/* Whether nothing but a full stop comes next: then that is passed; otherwise what stands there is refused. */
+int cagd_at_the_end(cagd_reader *r);
+
 /* ---- read_declaration.c, read_range.c -------------------------------------------------------------------- */
 
 /* Tries that fail leave no trace: cagd_back goes to where the reader was, and is 0. */

@@ -115,7 +115,7 @@ static int others(int draws)
 int main(int argc, char **argv)
 {
     const int draws = argc > 1 ? atoi(argv[1]) : 400;
-    state = 20261129;
+    state = argc > 2 ? strtoull(argv[2], NULL, 10) : 20261129;
     int bad = circles(draws);
     bad += others((draws + 1) / 2);
     printf("%d numbers are not as they should be\n", bad);
