@@ -93,15 +93,32 @@ finding finding_of(const claim_result *c, const char *letter)
     return found(&g, letter, 0);
 }
 
-finding finding_of_reading(const statement_link *reading, const claim_result *results, int count, const char *letter)
+/* What a reading and those that stand with it decide. */
+static struct gathering gather_reading(const statement_link *reading, const claim_result *results, int count)
 {
     struct gathering g = {.weakest = PROVED};
     for (const statement_link *l = reading; l == reading || (l->role == READING_WITH && l->claim != NULL); l++) {
-        const claim_result *c = result_of(l->claim, results, count);
+        const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         if (c != NULL)
             add_claim(&g, c);
     }
+    return g;
+}
+
+finding finding_of_reading(const statement_link *reading, const claim_result *results, int count, const char *letter)
+{
+    struct gathering g = gather_reading(reading, results, count);
     return found(&g, letter, 0);
+}
+
+/* Whether the claims of a reading have no case in common. */
+static int is_empty_reading(const statement_link *reading, const claim_result *results, int count)
+{
+    struct gathering g = gather_reading(reading, results, count);
+    int is = is_empty_scope(&g.scope);
+    free(g.argued_for);
+    free_scope(&g.scope);
+    return is;
 }
 
 /* "proved for n = 1 to 6"; "proved, each step for its own cases". */
@@ -164,7 +181,7 @@ static verdict verdict_of(const statement *s, const struct links *n)
 }
 
 /* A claim that did not do what its role asks leaves the statement open, and not as expected; so do claims that have no case in
- * common. */
+ * common, of one reading, too. */
 statement_result derive(const statement *s, const claim_result *results, int count)
 {
     statement_result r = {.statement = s, .as_expected = 1};
@@ -193,6 +210,7 @@ statement_result derive(const statement *s, const claim_result *results, int cou
             break;
         case READING:
             n.failing_readings += c != NULL && c->outcome == FAILS;
+            r.as_expected &= !is_empty_reading(link, results, count);
             break;
         default:
             break;

@@ -1392,6 +1392,19 @@ static void test_claims_without_a_common_case(void **state)
     assert_int_equal(r.verdict, VERDICT_OPEN);
     assert_string_equal(r.as_printed.scope, "no n");
     free_statement_result(&r);
+    const statement_link links[] = {{READING, "stretched", NULL, "one way", NULL}, /* nor may a reading be so */
+                                    {READING_WITH, "high", NULL, "", NULL},
+                                    {READING, "stretched", NULL, "another", NULL},
+                                    {HOLDS_BY, NULL, NULL, NULL, NULL}};
+    const statement read = {.id = "source:2", .links = links}, alone = {.id = "source:3", .links = links + 2};
+    r = derive(&read, scoped, sizeof scoped / sizeof *scoped);
+    assert_false(r.as_expected);
+    assert_int_equal(r.verdict, VERDICT_OPEN);
+    free_statement_result(&r);
+    r = derive(&alone, scoped, sizeof scoped / sizeof *scoped);
+    assert_true(r.as_expected);
+    assert_int_equal(r.verdict, VERDICT_UNDECIDED);
+    free_statement_result(&r);
 }
 
 static void test_arguments(void **state)
