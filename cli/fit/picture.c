@@ -279,7 +279,9 @@ static void entitle(const struct fit *f, FILE *out)
     fprintf(out, "%s fitted to measured points",
             conic && r->found.ellipse.circle    ? r->found.ellipse.whole ? "A circle" : "An arc of a circle"
             : conic                             ? r->found.ellipse.whole ? "An ellipse" : "An arc of an ellipse"
+            : tells_circle(f)                   ? "An arc of a circle"
             : r->curve.degree == 1 && !segments ? "A straight line"
+            : r->curve.degree == 2 && !segments ? is_rational(f) ? "An arc of a conic" : "An arc of a parabola"
             : is_rational(f)                    ? "A rational curve"
             : segments || r->period > 0         ? "A spline curve"
                                                 : "A Bézier curve");

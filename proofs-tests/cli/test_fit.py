@@ -858,15 +858,17 @@ class Fits(Case):
         circle = [[math.cos(a) + r.gauss(0, 0.01), math.sin(a) + r.gauss(0, 0.01)] for a in turn]
         ellipse = [[2 * math.cos(a) + r.gauss(0, 0.01), math.sin(a) + r.gauss(0, 0.01)] for a in turn]
         wave = [[k / 20, math.sin(k / 10) + r.gauss(0, 0.01)] for k in range(100)]
+        short = [[math.cos(k / 40) + r.gauss(0, 0.002), math.sin(k / 40) + r.gauss(0, 0.002)] for k in range(60)]
+        parabola = [[k / 30, (k / 30) ** 2 + r.gauss(0, 0.003)] for k in range(-30, 31)]
         end = " fitted to measured points"
         for rows, options, title in [(line, ["--degree", "1"], "A straight line" + end), (circle, [], "A circle" + end), (ellipse, [], "An ellipse" + end),
-                                     (quadratic(30, 0.75, 0.01), [], "A rational curve" + end), (wave, [], "A spline curve" + end),
+                                     (quadratic(30, 0.75, 0.01), [], "An arc of a conic" + end), (short, [], "An arc of a circle" + end), (parabola, ["--free", "inner,ends"], "An arc of a parabola" + end), (wave, [], "A spline curve" + end),
                                      (wave, ["--degree", "3", "--free", "inner,ends"], "A Bézier curve" + end + ", NOT good: structure in the distances")]:
             with self.subTest(title):
                 _, said, description = self.picture(rows, *options)
                 self.assertEqual(said, title)
                 self.assertEqual("The fit is NOT good: the distances are no noise" in description, "NOT" in title)
-                self.assertEqual("rational curve" in description, any(word in title for word in ("rational", "circle", "ellipse")))
+                self.assertEqual("rational curve" in description, any(word in title for word in ("conic", "circle", "ellipse")))
 
     def test_the_label_of_the_largest_distance_belongs_to_its_point(self):
         """No other point is nearer to it, or a line leads to its own; the dots in the legend are those of the picture."""
