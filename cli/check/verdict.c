@@ -29,18 +29,18 @@ const char *evidence_of_finding(const cagd_finding *f)
 static const char *append(const char *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 static const char *append(const char *text, const char *format, ...)
 {
-    char more[512];
-    va_list list;
+    va_list list, again;
     va_start(list, format);
-    vsnprintf(more, sizeof more, format, list);
+    va_copy(again, list);
+    const size_t n = strlen(text), m = (size_t)vsnprintf(NULL, 0, format, list);
     va_end(list);
-    size_t n = strlen(text), m = strlen(more);
     char *both = region_bytes(n + m + 1);
-    if (both == NULL)
-        return text;
-    memcpy(both, text, n);
-    memcpy(both + n, more, m + 1);
-    return both;
+    if (both != NULL) {
+        memcpy(both, text, n);
+        vsnprintf(both + n, m + 1, format, again);
+    }
+    va_end(again);
+    return both != NULL ? both : text;
 }
 
 static int is_number(const struct cagd_root *r) { return cagd_equal_q(r->lo, r->hi); }
@@ -380,6 +380,19 @@ static void print_induction(const struct document *d, const cagd_every *e)
     paragraph(append("So E(", "%s+1) = r E(%s), r = %s.", e->n, e->n, e->ratio), 1);
 }
 
+/* R, or how long it is where nobody would read it. */
+static void print_quotient(const char *R)
+{
+    enum { LONGEST = 600 };
+    int terms = 0;
+    for (const char *c = R; *c != '\0'; c++)
+        terms += c == R || *c == '/' || ((*c == '+' || *c == '-') && c[-1] != '(' && c[-1] != '^');
+    if (strlen(R) <= LONGEST)
+        paragraph(append("R = ", "%s", R), 0);
+    else
+        paragraph(append("", "R is a quotient of polynomials with %d terms in all, which --json has.", terms), 1);
+}
+
 /* What everybody can check: the identity of rational functions that telescopes. */
 static void print_every(const struct document *d, const cagd_every *e)
 {
@@ -419,7 +432,7 @@ static void print_every(const struct document *d, const cagd_every *e)
                               : "+2",
                      e->k);
     paragraph(append(sum, " = G(%s,%s+1) - G(%s,%s)", e->n, e->k, e->n, e->k), 0);
-    paragraph(append("R = ", "%s", e->R), 0);
+    print_quotient(e->R);
     paragraph(
         append("",
                "Nothing is left at the ends. The right side satisfies the same recurrence for $%s \\ge %ld$, and the "

@@ -1944,6 +1944,17 @@ class Mistakes(unittest.TestCase):
             self.assertEqual((r.returncode, r.stdout), (2, ""))
             self.assertEqual(r.stderr, "cagd: standard input: is no text, there is a zero byte in it; expected Markdown or LaTeX\n")
 
+    def test_what_is_long_is_told_whole(self):
+        """A scope of six hundred letters, and a certificate that nobody reads: how long it is, and where it stands."""
+        names = "abcdef"
+        ranges = ", ".join(f"-\\frac{{{k}}}{{{10**40 + 7}}} \\le {name} \\le \\frac{{{k + 1}}}{{{10**40 + 9}}}" for k, name in enumerate(names))
+        text = document(" + ".join(names) + " \\le 1", ranges, ", ".join(names) + " \\in \\mathbb{R}\n")
+        scope = json.loads(check(text, "--json").stdout)["statements"][0]["scope"]
+        self.assertGreater(len(scope), 512)
+        self.assertIn("".join(scope.split()), "".join(check(text).stdout.split()))
+        r = check(document(r"\sum_{i=0}^{n} (i - nx)^4 B_i^n(x) = 3 n^2 x^2 (1-x)^2 + n x(1-x)(1 - 6x(1-x))", r"n \ge 0")).stdout
+        self.assertIn("R is a quotient of polynomials with 130 terms in all, which --json has.", " ".join(r.split()))
+
     def test_what_is_large_gets_one_line(self):
         for text in ("(" * 10**6 + "x" + ")" * 10**6, "x + " * 250000 + "x", "{" * 19000, "\\frac{" * 3000, "-" * 10**6,
                      "x^{" * 5000, "\\hat{" * 5000, "\\sum_{i=0}^{" * 1500, "1" * 200000, "|" * 1000, "t = " * 300 + "t", "t = 1, " * 300 + "t",
