@@ -300,6 +300,22 @@ static int is_one_symbol(const char *s)
     return 1;
 }
 
+/* Whether a function without brackets is the last word, sin or sin²: a fraction behind it is its argument. */
+static int is_behind_function(const struct text *t)
+{
+    static const char *const names[] = {"sin", "cos", "tan", "cot", "sec", "csc", "exp", "ln", "log"};
+    size_t end = t->used;
+    while (end > 0 && (t->at[end - 1] == ' ' || (unsigned char)t->at[end - 1] >= 0x80))
+        end--; /* blanks and what is raised */
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        const size_t n = strlen(names[k]);
+        if (end >= n && strncmp(t->at + end - n, names[k], n) == 0 &&
+            (end == n || !isalpha((unsigned char)t->at[end - n - 1])))
+            return 1;
+    }
+    return 0;
+}
+
 static int is_sum(const char *word)
 {
     return strcmp(word, "sum") == 0 || strcmp(word, "prod") == 0 || strncmp(word, "bigc", 4) == 0;
@@ -371,12 +387,17 @@ static const char *command(const char *s, struct text *out)
         struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
         size_t sign = differential(a.at), behind = sign > 0 && is_attached(a.at + sign) ? character(a.at + sign) : 0;
         int is_derivative = sign > 0 && a.at[sign + behind] == '\0' && differential(b.at) == sign && is_simple(b.at);
+        const int is_argument = !is_derivative && is_behind_function(out);
+        puts_(out, is_argument ? "(" : "");
         put_wrapped(out, a.at);
         puts_(out, is_derivative || is_one_factor(b.at) ? "/" : "/(");
         puts_(out, b.at);
         puts_(out, is_derivative || is_one_factor(b.at) ? "" : ")");
-        if (begins_factor(e))
+        puts_(out, is_argument ? ")" : "");
+        if (!is_argument && begins_factor(e + strspn(e, " "))) {
             puts_(out, is_derivative ? " " : " · ");
+            e += strspn(e, " ");
+        }
         free(a.at), free(b.at);
         return e;
     }

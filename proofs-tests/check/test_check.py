@@ -1944,6 +1944,13 @@ class Mistakes(unittest.TestCase):
             self.assertEqual((r.returncode, r.stdout), (2, ""))
             self.assertEqual(r.stderr, "cagd: standard input: is no text, there is a zero byte in it; expected Markdown or LaTeX\n")
 
+    def test_fractions_in_one_line(self):
+        """A dot where a factor follows, brackets where one is the argument of a function: what is over the stroke is seen."""
+        for printed, told in ((r"\frac{x}{2} y = \frac{x}{2}y", "x/2 · y = x/2 · y"), (r"\frac{x}{2} \binom{2}{1} = x", "x/2 · C(2, 1) = x"), (r"\frac{x}{2} + \frac{x}{2} = x", "x/2 + x/2 = x"),
+                              (r"\sin \frac{x}{2} \ge -1", "sin (x/2) ≥ −1"), (r"\sin^2 \frac{x}{2} \ge 0", "sin² (x/2) ≥ 0"), (r"\sin x \frac{y}{2} \ge -y^2 - 1", "sin x y/2 ≥ −y² − 1"),
+                              (r"\frac{d}{dx} x = 1", "d/dx x = 1"), (r"\frac{x}{y + 1} (y + 1) = x", "x/(y + 1) · (y + 1) = x")):
+            self.assertIn("Printed\n    " + told + "\n", check(document(printed)).stdout)
+
     def test_what_is_long_is_told_whole(self):
         """A scope of six hundred letters, and a certificate that nobody reads: how long it is, and where it stands."""
         names = "abcdef"
@@ -1963,8 +1970,10 @@ class Mistakes(unittest.TestCase):
                      "\\mathrm{" + "a" * 100 + "}", "\\frac{\\partial^9 t}{" + "\\partial x " * 9 + "}"):
             r = check(document(text + " = 1"))
             self.assertEqual((r.returncode, r.stdout), (2, ""), text[:20])
-            self.assertEqual(len(r.stderr.splitlines()), 1, text[:20])
-            self.assertLess(len(r.stderr), 300)
+            message, *shown = r.stderr.splitlines() # of what people may have written, what is about the place
+            self.assertEqual(len(shown), 2 if len(text) < 3900 else 0, text[:20])
+            self.assertLess(len(message), 300)
+            self.assertLessEqual(max(map(len, [""] + shown)), 105)
 
     def test_what_is_too_large_is_said(self):
         row = lambda n: " & ".join("1" * n)
@@ -1974,7 +1983,7 @@ class Mistakes(unittest.TestCase):
                                         ("x > 0, \\quad " + ", ".join(f"x_{{{k}}}" for k in range(40)) + " \\in [0,1]", "8:80", "too many names before \\in")):
             with self.subTest(message=message):
                 r = check(document(printed))
-                self.assertEqual((r.returncode, r.stdout, r.stderr.splitlines()), (2, "", [f"cagd: standard input:{place}: {message}"]))
+                self.assertEqual((r.returncode, r.stdout, r.stderr.splitlines()[0]), (2, "", f"cagd: standard input:{place}: {message}"))
 
     def test_files_that_are_none(self):
         for text, words in (("", "no statement"), ("# Text\n", "no statement"), ("a\0b", "no text"), (":::{let}\n", "does not end"),
