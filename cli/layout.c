@@ -31,11 +31,11 @@ char *in_one_line(const char *text)
     FILE *out = text_open(&line, &room);
     for (const char *s = text; *s != '\0'; s++) {
         if (*s == MATRIX && s[1] != '\0' && depth < MOST)
-            open[++depth] = *++s, fputc(*s, out);
+            open[++depth] = *++s, fputs(*s != ROWS ? (char[]){*s, '\0'} : "", out);
         else if (*s == MATRIX_END)
             fputs(depth > 0 ? closing(open[depth--]) : "", out);
         else if (*s == NEXT_CELL || *s == NEXT_ROW)
-            fputs(*s == NEXT_CELL ? ", " : "; ", out);
+            fputs(*s == NEXT_ROW ? "; " : open[depth] != ROWS ? ", " : " ", out);
         else
             fputc(*s == TIE ? ' ' : *s, out);
     }
@@ -98,11 +98,17 @@ static int read_matrix(const char *s, struct matrix *m)
     return fits;
 }
 
+/* The blanks before a column: of rows one before the relation, as in a = b. */
+static int before_column(const struct matrix *m, int j)
+{
+    return j == 0 ? 0 : m->bracket == ROWS && j % 2 == 1 ? 1 : 2;
+}
+
 static int matrix_columns(const struct matrix *m)
 {
-    int columns = m->bracket == '{' ? 2 : 4; /* the brackets, and a blank beside each */
+    int columns = m->bracket == ROWS ? 0 : m->bracket == '{' ? 2 : 4; /* the brackets, and a blank beside each */
     for (int j = 0; j < m->columns; j++)
-        columns += m->width[j] + (j > 0 ? 2 : 0);
+        columns += m->width[j] + before_column(m, j);
     return columns;
 }
 
@@ -123,17 +129,19 @@ static const char *bracket_in_row(char bracket, int left, int row, int rows)
     return "";
 }
 
-/* Numbers and formulas stand in the middle of their columns, the cases of a function at the left. */
+/* Numbers and formulas stand in the middle of their columns, the cases of a function at the left, formulas below one another at their relations. */
 static void put_row(FILE *out, const struct matrix *m, int row)
 {
-    fprintf(out, "%s ", bracket_in_row(m->bracket, 1, row, m->rows));
+    if (m->bracket != ROWS)
+        fprintf(out, "%s ", bracket_in_row(m->bracket, 1, row, m->rows));
     for (int j = 0; j < m->columns; j++) {
         const char *cell = m->cell[row][j] != NULL ? m->cell[row][j] : "";
-        int before = m->bracket == '{' ? 0 : (m->width[j] - columns_of(cell)) / 2;
-        fprintf(out, "%*s", (j > 0 ? 2 : 0) + before, "");
+        const int room = m->width[j] - columns_of(cell);
+        int before = m->bracket == '{' ? 0 : m->bracket != ROWS ? room / 2 : j % 2 == 0 && m->columns > 1 ? room : 0;
+        fprintf(out, "%*s", before_column(m, j) + before, "");
         put_padded(out, cell, m->width[j] - before);
     }
-    if (m->bracket != '{')
+    if (m->bracket != '{' && m->bracket != ROWS)
         fprintf(out, " %s", bracket_in_row(m->bracket, 0, row, m->rows));
 }
 

@@ -349,6 +349,16 @@ static const char *behind_break(const char *s)
     return is_length && *unit == ']' ? unit + 1 : s;
 }
 
+/* Whether formulas stand below one another in the environment, without brackets. */
+static int has_rows(const char *environment)
+{
+    static const char *const names[] = {"align", "equation", "gather", "split", "multline", "eqnarray", "flalign"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        if (strncmp(environment, names[k], strlen(names[k])) == 0)
+            return 1;
+    return 0;
+}
+
 /* Behind the columns of an array, [c]{ll}. */
 static const char *behind_columns(const char *s)
 {
@@ -431,7 +441,11 @@ static const char *command(const char *s, struct text *out)
     }
     if ((n == 5 && strncmp(s, "begin", 5) == 0) || (n == 3 && strncmp(s, "end", 3) == 0)) {
         struct text a = render_group(&e, out->tight);
-        char bracket = strcmp(a.at, "cases") == 0 ? '{' : a.at[0] == 'v' ? '|' : a.at[0] == 'b' ? '[' : '(';
+        char bracket = strcmp(a.at, "cases") == 0 ? '{'
+                       : has_rows(a.at)           ? ROWS
+                       : a.at[0] == 'v'           ? '|'
+                       : a.at[0] == 'b'           ? '['
+                                                  : '(';
         if (s[0] == 'b' && strcmp(a.at, "array") == 0)
             e = behind_columns(e);
         put(out, s[0] == 'b' ? (char[]){MATRIX, bracket} : (char[]){MATRIX_END}, s[0] == 'b' ? 2 : 1);
@@ -563,8 +577,8 @@ static const char *formula(const char *s, struct text *out, char stop)
             put_relation(out, *s++ == '-' ? "−" : "+");
         } else if (*s == '-') { /* of one number, or of a limit from one side as in r(t−) */
             puts_(out, "−"), s++;
-        } else if (*s == ' ' && ends_with_blank(out)) {
-            s++;
+        } else if (isspace((unsigned char)*s)) {
+            puts_(out, ends_with_blank(out) ? "" : " "), s++;
         } else if (*s == '\'') {
             puts_(out, "′"), s++;
         } else if (*s == '$') { /* around a formula in a text */

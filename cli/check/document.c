@@ -203,9 +203,43 @@ static const char *message_of(const struct document *d, const cagd_reading_error
     return better != NULL ? better : in_words_of_paper(d, e, cagd_text_of(e->message, (int)strlen(e->message)));
 }
 
+/* The letter at `at` with what is above it, up to its indices and arguments, \\bar{P} of \\bar{P}_i = ...: its length. */
+static int length_of_head(const char *text, int from, int to)
+{
+    int depth = 0, at = from;
+    for (; at < to && (depth > 0 || strchr("_^('=, \n", text[at]) == NULL); at++)
+        depth += (text[at] == '{') - (text[at] == '}');
+    return at - from;
+}
+
+/* Whether the name was to be defined by a line that could not be read: that line was told, and is what is to be mended. */
+static int is_of_failed(const struct document *d, const cagd_reading_error *e)
+{
+    if (strstr(e->message, " is not defined") == NULL && strstr(e->message, " is no function with arguments") == NULL)
+        return 0;
+    for (int k = 0; k < d->faileds; k++) {
+        const char *head = d->failed[k];
+        const int n = (int)strlen(head);
+        if (strncmp(e->message, head, (size_t)n) == 0 && strchr("_^(' ", e->message[n]) != NULL)
+            return 1;
+    }
+    return 0;
+}
+
 static void complain_of_reading(struct document *d, const cagd_reading_error *e)
 {
-    complain(d, e->from, e->to, "%s", message_of(d, e));
+    if (is_of_failed(d, e))
+        d->complaints++;
+    else
+        complain(d, e->from, e->to, "%s", message_of(d, e));
+}
+
+static void complain_of_definition(struct document *d, int from, int to, const cagd_reading_error *e)
+{
+    complain_of_reading(d, e);
+    const char *head = cagd_text_of(d->text + from, length_of_head(d->text, from, to));
+    if (head != NULL && head[0] != '\0' && d->faileds < MOST_WAITING)
+        d->failed[d->faileds++] = head;
 }
 
 /* A formula that nobody asked for: told, and not counted as a complaint. */
@@ -242,12 +276,66 @@ static int begins(const struct document *d, int at, const char *word)
     return d->size - at >= n && memcmp(d->text + at, word, (size_t)n) == 0;
 }
 
+/* Which of the words stands at `at`, or ends at `at`. */
+static int starts_with_one_of(const struct document *d, int at, const char *const words[])
+{
+    for (int k = 0; words[k] != NULL; k++)
+        if (begins(d, at, words[k]))
+            return 1;
+    return 0;
+}
+static int ends_with_one_of(const struct document *d, int from, int at, const char *const words[])
+{
+    for (int k = 0; words[k] != NULL; k++)
+        if (at - (int)strlen(words[k]) >= from && begins(d, at - (int)strlen(words[k]), words[k]))
+            return 1;
+    return 0;
+}
+
+/* Whether a formula from `from` to `to` is not at its end: a group, an environment or a display is open, or it ends with a sign. */
+static int is_open(const struct document *d, int from, int to)
+{
+    static const char *const signs[] = {"=",    "+",     "-",    "<",     ">",      "&",       "\\\\",
+                                        "\\le", "\\leq", "\\ge", "\\geq", "\\cdot", "\\times", NULL};
+    int groups = 0, environments = 0, dollars = 0;
+    for (int k = from; k < to; k++) {
+        const int is_command = d->text[k] == '\\';
+        environments += begins(d, k, "\\begin{") - begins(d, k, "\\end{") + begins(d, k, "\\[") - begins(d, k, "\\]");
+        dollars += !is_command && begins(d, k, "$$");
+        k += is_command || begins(d, k, "$$");
+        groups += !is_command && d->text[k] == '{';
+        groups -= !is_command && d->text[k] == '}';
+    }
+    return groups > 0 || environments > 0 || dollars % 2 != 0 || ends_with_one_of(d, from, to, signs);
+}
+
+/* Whether the line at `next` goes on with what stands from `at` to `end`: it is indented; what is open goes on, and what begins with a sign; a
+ * formula that is printed, and what it is said for, end with an empty line or another field. */
+static int goes_on(const struct document *d, int at, int end, int next)
+{
+    static const char *const fields[] = {":printed:", ":for:", NULL};
+    static const char *const signs[] = {"=",       "+",      "<",       ">",      "&",       ")",     "]",
+                                        "}",       "\\]",    "\\le ",   "\\leq",  "\\ge ",   "\\geq", "\\cdot",
+                                        "\\times", "\\quad", "\\qquad", "\\end{", "\\right", NULL};
+    if (d->text[next] == ' ' || d->text[next] == '\t')
+        return 1;
+    if (isspace((unsigned char)d->text[next]) || d->text[next] == ':')
+        return 0;
+    return d->text[at] == ':' ? starts_with_one_of(d, at, fields)
+                              : is_open(d, at, end) || starts_with_one_of(d, next, signs);
+}
+
 /* The end of what begins in the line at `at`: of the last line that goes on with it, blanks at the end left out. */
 static int end_of_entry(const struct document *d, int at, int stop)
 {
     int end = end_of_line(d, at);
-    for (int k = next_line(d, at); k < stop && (d->text[k] == ' ' || d->text[k] == '\t'); k = next_line(d, k))
-        end = end_of_line(d, k);
+    for (int k = next_line(d, at), to = end; k < stop; k = next_line(d, k)) {
+        while (to > at && isspace((unsigned char)d->text[to - 1]))
+            to--;
+        if (to == at || !goes_on(d, at, to, k))
+            break;
+        to = end = end_of_line(d, k);
+    }
     while (end > at && isspace((unsigned char)d->text[end - 1]))
         end--;
     return end;
@@ -367,7 +455,7 @@ static void complain_of_waiting(struct document *d)
         if (w->left_out != NULL)
             leave_out(d, w->left_out, w->from, &w->error);
         else
-            complain_of_reading(d, &w->error);
+            complain_of_definition(d, w->from, w->to, &w->error);
     }
     d->waits = 0;
 }
@@ -405,7 +493,7 @@ static void read_or_wait(struct document *d, int from, int to, const char *left_
     else if (left_out != NULL)
         leave_out(d, left_out, from, &error);
     else
-        complain_of_reading(d, &error);
+        complain_of_definition(d, from, to, &error);
 }
 
 /* In papers the bounds of a parameter stand behind the formulas: where a line has a name that a line behind it declares, such lines are read

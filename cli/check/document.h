@@ -108,6 +108,8 @@ struct document {
     int left_outs;
     struct waiting waiting[MOST_WAITING];
     int waits;
+    const char *failed[MOST_WAITING]; /* what lines would have defined that were not understood */
+    int faileds;
     cagd_scope scope;
     struct formula *formula;
     struct sheet *sheet;

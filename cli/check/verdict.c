@@ -393,10 +393,17 @@ static void print_quotient(const char *R)
         paragraph(append("", "R is a quotient of polynomials with %d terms in all, which --json has.", terms), 1);
 }
 
-/* What everybody can check: the identity of rational functions that telescopes. */
-static void print_every(const struct document *d, const cagd_every *e)
+/* Two sides of a chain. */
+static const char *link_of(const struct document *d, const cagd_tree *link)
 {
-    heading("Proof");
+    return append(source(d, link->at[0]), " = %s", source(d, link->at[1]));
+}
+
+/* What everybody can check: the identity of rational functions that telescopes. */
+static void print_proof(const struct document *d, const cagd_every *e)
+{
+    if (e->of != NULL)
+        paragraph(append("", "Of $%s$:", link_of(d, e->of)), 1);
     if (e->real) {
         paragraph(append("", "It was decided for every real number $%s \\ge %ld$, and before that one by one.", e->n,
                          e->from),
@@ -412,12 +419,12 @@ static void print_every(const struct document *d, const cagd_every *e)
                          e->n),
                   1);
         for (int i = 0; i < e->sums; i++)
-            paragraph(
-                append("",
-                       "The terms F of the sum over $%s$ are differences: %s F(%s) = G(%s+1) - G(%s), G = R F, R = %s",
-                       e->sum[i].k, strcmp(e->sum[i].a, "1") == 0 ? "" : e->sum[i].a, e->sum[i].k, e->sum[i].k,
-                       e->sum[i].k, e->sum[i].R),
-                1);
+            paragraph(append("",
+                             "The terms F of the sum over $%s$ are differences: %s F(%s) = G(%s+1) - G(%s), %s = %s",
+                             e->sum[i].k, strcmp(e->sum[i].a, "1") == 0 ? "" : e->sum[i].a, e->sum[i].k, e->sum[i].k,
+                             e->sum[i].k, e->sum[i].G != NULL ? "G" : "G = R F, R",
+                             e->sum[i].G != NULL ? e->sum[i].G : e->sum[i].R),
+                      1);
     }
     if (e->closed)
         return;
@@ -439,6 +446,13 @@ static void print_every(const struct document *d, const cagd_every *e)
                "first cases were computed.",
                e->n, e->from),
         1);
+}
+
+static void print_every(const struct document *d, const cagd_every *e)
+{
+    heading("Proof");
+    for (; e != NULL; e = e->next)
+        print_proof(d, e);
 }
 
 static void print_head(const struct document *d, const struct formula *s)
@@ -560,6 +574,31 @@ static json_t *induction_json(const struct document *d, const cagd_every *e)
     return json_pack("{s:s, s:s, s:o}", "difference", e->E, "ratio", e->ratio, "variables", variables);
 }
 
+/* What proves it for every n. */
+static void add_proof(json_t *j, const struct document *d, const cagd_every *e)
+{
+    if (e->real) {
+        json_object_set_new(j, "for_every_real", json_pack("{s:s, s:I}", "n", e->n, "from", (json_int_t)e->from));
+    } else if (e->closed) {
+        json_t *sums = json_array();
+        for (int k = 0; k < e->sums; k++)
+            json_array_append_new(sums, json_pack("{s:s, s:s, s:s}", "k", e->sum[k].k, "a", e->sum[k].a,
+                                                  e->sum[k].G != NULL ? "G" : "R",
+                                                  e->sum[k].G != NULL ? e->sum[k].G : e->sum[k].R));
+        json_object_set_new(j, "closed_form",
+                            json_pack("{s:s, s:I, s:o}", "n", e->n, "from", (json_int_t)e->from, "sums", sums));
+        if (e->E != NULL)
+            json_object_set_new(j, "induction", induction_json(d, e));
+    } else {
+        json_t *a = json_array();
+        for (int k = 0; k <= e->order; k++)
+            json_array_append_new(a, json_string(e->a[k]));
+        json_object_set_new(j, "telescoper",
+                            json_pack("{s:s, s:s, s:I, s:o, s:s, s:b}", "n", e->n, "k", e->k, "from",
+                                      (json_int_t)e->from, "a", a, "R", e->R, "counted_from_the_first", e->counted));
+    }
+}
+
 json_t *finding_json(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     json_t *example = json_null();
@@ -593,28 +632,16 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
         json_object_set_new(j, "changes_noticed", json_integer(f->noticed));
         json_object_set_new(j, "says_nothing", json_boolean(f->says_nothing));
     }
-    if (f->for_every && f->every.real) {
-        json_object_set_new(j, "for_every_real",
-                            json_pack("{s:s, s:I}", "n", f->every.n, "from", (json_int_t)f->every.from));
-    } else if (f->for_every && f->every.closed) {
-        json_t *sums = json_array();
-        for (int k = 0; k < f->every.sums; k++)
-            json_array_append_new(sums, json_pack("{s:s, s:s, s:s}", "k", f->every.sum[k].k, "a", f->every.sum[k].a,
-                                                  "R", f->every.sum[k].R));
-        json_object_set_new(
-            j, "closed_form",
-            json_pack("{s:s, s:I, s:o}", "n", f->every.n, "from", (json_int_t)f->every.from, "sums", sums));
-        if (f->every.E != NULL)
-            json_object_set_new(j, "induction", induction_json(d, &f->every));
-    } else if (f->for_every) {
-        json_t *a = json_array();
-        for (int k = 0; k <= f->every.order; k++)
-            json_array_append_new(a, json_string(f->every.a[k]));
-        json_object_set_new(j, "telescoper",
-                            json_pack("{s:s, s:s, s:I, s:o, s:s, s:b}", "n", f->every.n, "k", f->every.k, "from",
-                                      (json_int_t)f->every.from, "a", a, "R", f->every.R, "counted_from_the_first",
-                                      f->every.counted));
+    if (f->for_every && f->every.next == NULL)
+        add_proof(j, d, &f->every);
+    json_t *links = f->for_every && f->every.next != NULL ? json_array() : NULL;
+    for (const cagd_every *e = links != NULL ? &f->every : NULL; e != NULL; e = e->next) {
+        json_t *link = json_pack("{s:s}", "link_tex", link_of(d, e->of));
+        add_proof(link, d, e);
+        json_array_append_new(links, link);
     }
+    if (links != NULL)
+        json_object_set_new(j, "links", links);
     if (s->expected != EXPECT_NOTHING)
         json_object_set_new(j, "expected", json_string(expected_name[s->expected]));
     return j;

@@ -126,18 +126,53 @@ static void check_as_read(const cagd_scope *scope, const cagd_tree *statement, d
     }
 }
 
+/* A context in which the names have the values of the example; NULL without memory. */
+static cagd_context *at_example(const cagd_scope *scope, const cagd_finding *f)
+{
+    cagd_context *c = region_bytes(sizeof *c);
+    if (c == NULL)
+        return NULL;
+    *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS, .whole_angles = f->whole_angles};
+    for (int k = 0; k < f->given; k++)
+        cagd_bind(c, f->example[k].name, cagd_value_constant(f->example[k].value));
+    return c;
+}
+
+static int tell_sides(const cagd_scope *scope, const cagd_tree *t, cagd_finding *f);
+
+/* Of what is said for all numbers of a range the first one for which it is false, which then is one of the example. */
+static int tell_number(const cagd_scope *scope, const cagd_tree *t, cagd_finding *f)
+{
+    enum { FURTHEST = 1000 };
+    cagd_context *c = at_example(scope, f);
+    long low = 0, high = -1;
+    if (c == NULL || f->given == CAGD_MOST_UNKNOWNS)
+        return 0;
+    cagd_value first = cagd_evaluate(c, t->at[0]), last = cagd_evaluate(c, t->at[1]);
+    int told = region_faults == 0 && cagd_value_is_whole(first, &low) && cagd_value_is_whole(last, &high);
+    region_faults &= FAULT_MEMORY;
+    if (!told || high - low > FURTHEST)
+        return 0;
+    told = 0;
+    for (long k = low; k <= high && !told; k++) {
+        f->example[f->given++] = (cagd_given){t->head, from_int_q(k), NULL};
+        told = tell_sides(scope, t->at[2], f);
+        f->given -= !told;
+    }
+    return told;
+}
+
 /* The first relation of the statement that is false at the numbers of the example, with its two sides; 0 where there is none. */
 static int tell_sides(const cagd_scope *scope, const cagd_tree *t, cagd_finding *f)
 {
     int told = 0;
     for (int k = 0; t->kind == CAGD_ALL && k < t->count && !told; k++)
         told = tell_sides(scope, t->at[k], f);
-    cagd_context *c = t->kind == CAGD_RELATION ? region_bytes(sizeof *c) : NULL;
+    if (t->kind == CAGD_FOR_ALL)
+        return tell_number(scope, t, f);
+    cagd_context *c = t->kind == CAGD_RELATION ? at_example(scope, f) : NULL;
     if (c == NULL)
         return told;
-    *c = (cagd_context){.scope = scope, .in_field = 1, .steps = CAGD_USUAL_STEPS, .whole_angles = f->whole_angles};
-    for (int k = 0; k < f->given; k++)
-        cagd_bind(c, f->example[k].name, cagd_value_constant(f->example[k].value));
     for (int k = 0; k + 1 < t->count && !told; k++) {
         cagd_value a = cagd_evaluate(c, t->at[k]), b = cagd_evaluate(c, t->at[k + 1]);
         told = region_faults == 0 && a.rational && b.rational && cagd_compare_values(c, a, t->relation[k], b) == 0;
@@ -210,6 +245,8 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
         check_in_clauses(scope, statement, until, quick, out);
     if (out->answer == CAGD_UNDECIDED && !out->first_alone && cagd_seconds() < until)
         check_with_names_for_roots(scope, statement, until, quick, out);
+    if (out->answer == CAGD_FAILS && !out->has_root && out->of_left == NULL)
+        tell_sides(scope, statement, out);
 }
 
 /* ---- conditions behind a formula -------------------------------------------------------------------------- */
@@ -413,7 +450,8 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
         return;
     }
     *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = parts.where};
-    out->why = "it fails if this is said, and not where it is supposed: then write \\text{for} before it";
+    out->why =
+        "it fails if this is said, and not where it is supposed: write \\text{for} before it, or a statement for each";
 }
 
 /* ---- changed statements ----------------------------------------------------------------------------------- */

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { MOST_DEPTH = 60, MOST_SHIFT = 60, MOST_FACTORS = 64, FURTHEST = 1000, LARGEST = 1000000 };
+enum { MOST_DEPTH = 60, MOST_SHIFT = 60, MOST_FACTORS = 64, FURTHEST = 1000, LARGEST = 1000000, MOST_POLYNOMIAL = 40 };
 
 static num_f plus(num_f a, long m) { return add_f(a, from_int_f(m)); }
 
@@ -194,6 +194,37 @@ static int last_by_ratio(cagd_search *s, const cagd_tree *term, cagd_frame *inne
     return region_faults == 0;
 }
 
+/* Of a polynomial F in k the G with G(k+1) - G(k) = F(k), G(0) = 0: by the differences of F at 0, F = sum_j D_j C(k,j) and G = sum_j D_j C(k,j+1). */
+static num_f sum_of_polynomial(num_f F, num_f k, int degree)
+{
+    num_f value[MOST_POLYNOMIAL + 1], binomial = k, G = from_int_f(0);
+    for (int j = 0; j <= degree; j++)
+        value[j] = substitute_f(F, k, from_int_f(j));
+    for (int j = 0; j <= degree; j++) {
+        G = add_f(G, mul_f(value[0], binomial));
+        binomial = div_f(mul_f(binomial, plus(k, -(j + 1))), from_int_f(j + 2));
+        for (int i = 0; i < degree - j; i++)
+            value[i] = sub_f(value[i + 1], value[i]);
+    }
+    return G;
+}
+
+/* The sum from `begin` to high, whose terms are a polynomial in k. */
+static int of_polynomial(cagd_search *s, const cagd_tree *t, const cagd_frame *inner, cagd_range range, num_f high,
+                         num_f *out)
+{
+    num_f F;
+    if (!cagd_value_in(s, t->at[2], inner, &F) || denominator_degree_f(F, s->k) > 0 ||
+        degree_f(F, s->k) > MOST_POLYNOMIAL || !cagd_divisors_are_not_zero(s, range))
+        return 0;
+    const num_f G = sum_of_polynomial(F, s->k, cagd_is_zero_f(F) ? 0 : degree_f(F, s->k)), next = plus(s->k, 1);
+    if (region_faults != 0 || !cagd_equal_f(sub_f(substitute_f(G, s->k, next), G), F))
+        return 0;
+    *out = sub_f(substitute_f(G, s->k, plus(high, 1)), substitute_f(G, s->k, from_int_f(range.low)));
+    s->closed[s->closed_sums++] = (cagd_closed_sum){t->head, from_int_f(1), G, 1};
+    return region_faults == 0;
+}
+
 static int of_sum(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f *out)
 {
     num_f low, high, F;
@@ -207,6 +238,9 @@ static int of_sum(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f
         return 0;
     long begin = mpz_get_si(mpq_numref(first.at)), end = mpz_get_si(mpq_numref(last.at));
     cagd_frame inner = {t->head, {.f = s->k}, f};
+    if (s->from + end + 1 >= begin && of_polynomial(s, t, &inner, cagd_range_to_n(begin, end), high, out))
+        return 1;
+    region_faults &= FAULT_MEMORY | FAULT_CROWDED;
     if (s->from + end + 1 < begin || !cagd_take_within(s, t->at[2], &inner, cagd_range_to_n(begin, end), &terms) ||
         !cagd_divisors_are_not_zero(s, cagd_range_to_n(begin, end)))
         return 0;
@@ -229,7 +263,7 @@ static int of_sum(cagd_search *s, const cagd_tree *t, const cagd_frame *f, num_f
         G[i] = mul_f(substitute_f(T.R, s->k, at[i]), F);
     }
     *out = div_f(sub_f(G[1], G[0]), T.a[0]);
-    s->closed[s->closed_sums++] = (cagd_closed_sum){t->head, T.a[0], T.R};
+    s->closed[s->closed_sums++] = (cagd_closed_sum){t->head, T.a[0], T.R, 0};
     return region_faults == 0;
 }
 

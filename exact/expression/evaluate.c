@@ -310,12 +310,15 @@ const cagd_tree *cagd_body_of(cagd_context *c, const cagd_tree *t, const cagd_va
 /* "no definition fits with i = -1": the letters are those of the first definition; numbers that are long, or none, are left out. */
 static const char *why_none_fits(const cagd_context *c, const cagd_tree *t, const cagd_value value[])
 {
-    static const char words[] = "no definition fits";
+    static const char words[] = "no definition fits",
+                      everywhere[] = "it is not defined everywhere: ':for: ...' with the condition of its definition "
+                                     "says that it is meant there";
     const cagd_definition *d = cagd_defined(c->scope, t->head);
     char text[120];
-    int used = snprintf(text, sizeof text, "%s", words), told = 0;
+    int used = snprintf(text, sizeof text, "%s", words), told = 0, is_conditional = 0;
     for (; d != NULL && strcmp(d->left->head, t->head) == 0 && told == 0; d = d->next)
         for (int k = 0; k < d->left->count && used < 80; k++) {
+            is_conditional |= d->when != NULL && !value[k].rational;
             char number[24];
             int length = value[k].rational && d->left->at[k]->kind == CAGD_NAME && strlen(d->left->at[k]->head) < 12
                              ? gmp_snprintf(number, sizeof number, "%Qd", value[k].q.at)
@@ -325,7 +328,7 @@ static const char *why_none_fits(const cagd_context *c, const cagd_tree *t, cons
                                  d->left->at[k]->head, number);
         }
     const char *kept = told > 0 ? cagd_text_of(text, used) : NULL;
-    return kept != NULL ? kept : words;
+    return kept != NULL ? kept : is_conditional ? everywhere : words;
 }
 
 /* The value of the definitions of that name for these indices and arguments. */

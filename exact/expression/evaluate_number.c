@@ -9,6 +9,19 @@ enum { MOST_FACTORIAL = 1000, MOST_Q = 100 };
 
 /* ---- powers and the like ------------------------------------------------------------------------------- */
 
+/* Whether a letter that is usual for whole numbers stands in it and was not said to be one. */
+static int has_real_index(const cagd_context *c, const cagd_tree *t)
+{
+    if (t->kind == CAGD_NAME && t->count == 0 && cagd_is_usual_index(t->head)) {
+        const cagd_variable *v = cagd_declared(c->scope, t->head);
+        return v != NULL && !v->whole;
+    }
+    for (int k = 0; k < t->count; k++)
+        if (has_real_index(c, t->at[k]))
+            return 1;
+    return 0;
+}
+
 cagd_value cagd_power_value(cagd_context *c, const cagd_tree *t, const cagd_frame *f)
 {
     long e;
@@ -22,7 +35,11 @@ cagd_value cagd_power_value(cagd_context *c, const cagd_tree *t, const cagd_fram
     if (region_faults != 0)
         return r;
     if (!cagd_value_is_whole(exponent, &e) || e > CAGD_MOST_POWER || e < -CAGD_MOST_POWER)
-        return cagd_fail(c, t->at[1], FAULT_UNABLE, "an exponent is a whole number, at most 1000");
+        return cagd_fail(c, t->at[1], FAULT_UNABLE,
+                         has_real_index(c, t->at[1])
+                             ? "an exponent is a whole number, and this one may be any: a range as in ':for: n = 0, 1, "
+                               "\\dots' makes it one"
+                             : "an exponent is a whole number, at most 1000");
     if (e < 0 && cagd_is_zero_at_roots(c, base))
         return cagd_fail(c, t, FAULT_UNDEFINED, "a division by 0");
     if (e < 0 && !cagd_note_divisor(c, base))

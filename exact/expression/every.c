@@ -228,30 +228,60 @@ static int have_closed_forms(cagd_search *s, const cagd_scope *scope, const cagd
         const cagd_closed_sum *sum = &s->closed[i];
         out->sum[i].k = sum->k;
         out->sum[i].a = spelled(s, sum->a, n->head, sum->k);
-        out->sum[i].R = spelled(s, sum->R, n->head, sum->k);
+        const char *of_sum = spelled(s, sum->R, n->head, sum->k);
+        out->sum[i].R = sum->is_polynomial ? NULL : of_sum;
+        out->sum[i].G = sum->is_polynomial ? of_sum : NULL;
     }
     return region_faults == 0;
 }
 
-/* A chain a = b = c of which one link is a sum and the others have closed forms without sums, so that what is told of the sum is all. */
+/* The last side of the chain that has a closed form without sums, if it has one: then every other side is compared with it; else with its neighbour. */
+static int plain_side(const cagd_scope *scope, const cagd_tree *chain, const cagd_variable *n, long low)
+{
+    cagd_search *s = region_bytes(sizeof *s);
+    num_f value;
+    for (int i = chain->count - 1; s != NULL && i >= 0; i--) {
+        cagd_search_begin(s, scope, n->head, (int)low);
+        if (cagd_closed(s, chain->at[i], NULL, &value) && s->closed_sums == 0 && region_faults == 0)
+            return i;
+        region_faults &= FAULT_MEMORY | FAULT_CROWDED;
+    }
+    return -1;
+}
+
+/* A chain a = b = c: told are the sides that have a sum, each equal to the plain one. */
 static int links_hold(const cagd_scope *scope, const cagd_tree *chain, const cagd_variable *n, long low, int checked,
                       cagd_every *out)
 {
-    int told = 0;
-    for (int i = 0; i + 1 < chain->count; i++) {
-        cagd_tree link = *chain;
-        cagd_every of_link;
-        link.count = 2, link.at = chain->at + i, link.relation = chain->relation + i;
-        if (!cagd_holds_for_every(scope, &link, n, low, checked, &of_link))
+    static const cagd_relation equal[] = {CAGD_EQUAL};
+    const int plain = low > FURTHEST || low < -FURTHEST ? -1 : plain_side(scope, chain, n, low);
+    cagd_every *last = NULL;
+    for (int i = 0; i + 1 < chain->count; i++)
+        if (chain->relation[i] != CAGD_EQUAL)
             return 0;
-        int has_sum = !of_link.closed || of_link.sums > 0;
-        if (told && has_sum)
+    for (int i = 0; i < chain->count; i++) {
+        const int with = plain >= 0 ? plain : i + 1;
+        if (i == plain || with >= chain->count)
+            continue;
+        cagd_tree *link = cagd_tree_new(CAGD_RELATION, chain->at[i]->from, chain->at[i]->to, 2);
+        cagd_every *of_link = region_bytes(sizeof *of_link);
+        if (link == NULL || of_link == NULL)
             return 0;
-        if (has_sum || i == 0)
-            *out = of_link;
-        told |= has_sum;
+        link->at[0] = chain->at[i], link->at[1] = chain->at[with], link->relation = equal;
+        if (!cagd_holds_for_every(scope, link, n, low, checked, of_link))
+            return 0;
+        of_link->of = link;
+        if (of_link->closed && of_link->sums == 0 && of_link->E == NULL)
+            continue;
+        if (last != NULL)
+            last->next = of_link;
+        else
+            *out = *of_link;
+        last = last == NULL ? out : of_link;
     }
-    return 1;
+    if (last == out) /* there is no other */
+        out->of = NULL;
+    return last != NULL;
 }
 
 int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,

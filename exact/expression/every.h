@@ -8,14 +8,14 @@
 /* What proves it.  By telescoping (closed = 0): sum_j a_j(n) F(n+j,k) = G(n,k+1) - G(n,k), G = R F, in the letters n and k of the statement, as texts; the recurrence
  * that the sum and S both satisfy, for every n from `from` on; the numbers before that are looked at one by one.  By closed forms: of each of so
  * many sums a_0(n) F(k) = G(k+1) - G(k), in the letter k of that sum; of no sum where n stands in exponents and factorials alone.  real: it was decided
- * for every real n >= from. */
+ * for every real n >= from.  Of a chain a = b = c each link with a sum has its own: `of`, and the next one. */
 typedef struct cagd_every {
     int closed, order, real, counted; /* counted: k is counted from the first term, of which n is a part */
     long from;
     const char *n, *k, *a[CAGD_TELESCOPER_ORDER + 1], *R;
     int sums;
     struct cagd_closed_text {
-        const char *k, *a, *R;
+        const char *k, *a, *R, *G; /* one of R and G, the other is NULL */
     } sum[CAGD_MOST_CLOSED];
 
     /* Where the closed forms differ by what has the numerator E, E(n+1) = ratio E(n), induction.h; NULL otherwise.  Its variables, and what is known of each:
@@ -27,6 +27,9 @@ typedef struct cagd_every {
         const cagd_tree *of;
         int by;
     } variable[CAGD_MOST_GROWTHS];
+
+    const cagd_tree *of; /* the link of a chain that it proves; NULL: the whole statement */
+    const struct cagd_every *next;
 } cagd_every;
 
 /* Whether it holds for every n >= the lower end of the range of n, the first `checked` of them being known; 1 and *out, or 0. */

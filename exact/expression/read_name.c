@@ -568,6 +568,28 @@ static int bracket_is_of_arguments(const cagd_reader *r, int may_be_point)
            !(has_power && (minus || t->kind == CAGD_QUOTIENT));
 }
 
+/* Dots above a function that was defined, \dot{f}(t), are primes where nothing is called so itself. */
+static void read_dots_as_primes(const cagd_reader *r, struct parts *p)
+{
+    static const char *const dots[] = {"\\dot{", "\\ddot{", "\\dddot{"};
+    const char *close = strrchr(p->head, '}');
+    if (close == NULL || r->declaring || cagd_is_known(r, p->head))
+        return;
+    for (int k = 0; k < (int)(sizeof dots / sizeof *dots); k++) {
+        const size_t n = strlen(dots[k]);
+        if (strncmp(p->head, dots[k], n) != 0)
+            continue;
+        char inside[MOST_HEAD];
+        const int length =
+            snprintf(inside, sizeof inside, "%.*s%s", (int)(close - p->head - (long)n), p->head + n, close + 1);
+        const char *head = length < MOST_HEAD ? cagd_text_of(inside, length) : NULL;
+        const cagd_definition *d = head != NULL && !cagd_is_bound(r, head) ? cagd_defined(r->scope, head) : NULL;
+        if (d != NULL && (d->left->arguments == 1 || d->left->before_semicolon == 1))
+            p->head = head, p->primes += k + 1;
+        return;
+    }
+}
+
 const cagd_tree *cagd_read_name(cagd_reader *r)
 {
     struct parts p = {0};
@@ -580,6 +602,7 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
         p.head = joined(r, "", p.head, "_");
     if (p.head == NULL || !indices(r, &p) || !primed(r, &p))
         return NULL;
+    read_dots_as_primes(r, &p);
     int is_known = r->declaring || cagd_is_known(r, p.head);
     if (!is_known && strcmp(p.head, "\\pi") == 0 && p.lower + p.upper + p.primes == 0)
         return pi(r, from, p.power);

@@ -273,12 +273,26 @@ static const cagd_token *end_of_row(const cagd_token *t)
     return t;
 }
 
+/* The row from t to `end`, to be read as if it stood alone. */
+static int open_row(const cagd_reader *r, const cagd_token *t, const cagd_token *end, cagd_reader *row)
+{
+    cagd_token *own = cagd_region_array((int)(end - t) + 1, 1, sizeof *own);
+    if (own == NULL)
+        return 0;
+    memcpy(own, t, (size_t)(end - t) * sizeof *own);
+    own[end - t] = (cagd_token){CAGD_TOKEN_END, "", end->from, end->to};
+    *row = *r;
+    row->token = own;
+    return 1;
+}
+
 int cagd_are_read_apart(const cagd_reader *r)
 {
     const cagd_token *t = r->token, *end = end_of_row(t);
+    cagd_reader row;
     int is = 0;
     for (; end->kind == CAGD_TOKEN_ROW || (t != r->token && t->kind != CAGD_TOKEN_END); t = end, end = end_of_row(t)) {
-        is |= reaching(r, t, 0) != NULL;
+        is |= reaching(r, t, 0) != NULL || (open_row(r, t, end, &row) && cagd_row_has_range(&row));
         end += end->kind == CAGD_TOKEN_ROW;
     }
     return is;
@@ -299,14 +313,10 @@ const cagd_tree *cagd_read_rows_apart(cagd_reader *r)
             return cagd_refuse_token(
                 r, "does this reach over its own row, or over others, too? write a statement for each");
         }
-        cagd_reader row = *r;
-        cagd_token *own = cagd_region_array((int)(end - t) + 1, 1, sizeof *own);
-        if (own == NULL)
+        cagd_reader row;
+        if (!open_row(r, t, end, &row))
             return cagd_refuse_token(r, "there is no memory for the formula");
-        memcpy(own, t, (size_t)(end - t) * sizeof *own);
-        own[end - t] = (cagd_token){CAGD_TOKEN_END, "", end->from, end->to};
-        row.token = own;
-        const cagd_tree *said = cagd_read_for_all_numbers(&row);
+        const cagd_tree *said = reaching(r, t, 0) != NULL ? cagd_read_for_all_numbers(&row) : cagd_read_row(&row);
         if (said == NULL || !cagd_at_the_end(&row))
             return NULL;
         r->nodes = row.nodes;

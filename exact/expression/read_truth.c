@@ -13,26 +13,13 @@
 
 enum { MOST_NAMES = 2 * CAGD_MOST_INDICES };
 
-/* Whether a text says this and nothing else; commas around it, and how it begins, do not count. */
-static int is_said(const char *text, const char *words)
-{
-    while (*text == ',' || *text == ' ')
-        text++;
-    size_t n = strlen(words);
-    if (tolower((unsigned char)text[0]) != words[0] || strncmp(text + 1, words + 1, n - 1) != 0)
-        return 0;
-    for (text += n; *text == ',' || *text == ' ' || *text == ':';)
-        text++;
-    return *text == '\0';
-}
-
 /* Whether these words come next, as text; then they are passed. */
 static int pass_words(cagd_reader *r, const char *const words[])
 {
     const cagd_token *here = r->token;
     const char *said = cagd_read_words(r);
     for (int k = 0; said != NULL && words[k] != NULL; k++)
-        if (is_said(said, words[k]))
+        if (cagd_is_said(said, words[k]))
             return 1;
     r->token = here;
     return 0;
@@ -403,247 +390,12 @@ static int even_or_odd_follows(cagd_reader *r, const char *const words[])
     const char *before = is ? cagd_text_of(said, n > 0 ? n - 1 : 0) : NULL;
     int is_known = before != NULL && before[0] == '\0';
     for (int k = 0; before != NULL && words[k] != NULL; k++)
-        is_known |= is_said(before, words[k]);
+        is_known |= cagd_is_said(before, words[k]);
     r->token = here;
     return is_known;
 }
 
-/* ---- ranges of what is supposed ------------------------------------------------------------------------ */
-
-/* Ranges of indices in what is supposed, "if a_j = 0 for j = 1, 2": it is supposed for all of them. */
-struct own_ranges {
-    struct cagd_bound letter[CAGD_MOST_INDICES];
-    cagd_list list[CAGD_MOST_INDICES];
-    int count;
-};
-
-/* The token that ends what is supposed and begins at r->token. */
-static const cagd_token *end_of_supposed(const cagd_reader *r)
-{
-    static const char *const ends[] = {"then", "implies",      "implies that",     "if and only if",
-                                       "iff",  "exactly when", "is equivalent to", "if",
-                                       "when", "whenever"};
-    cagd_reader at = *r;
-    int depth = 0; /* of round brackets */
-    while (at.token->kind != CAGD_TOKEN_END) {
-        const cagd_token *here = at.token;
-        depth += cagd_next_is(&at, "(") - cagd_next_is(&at, ")");
-        const char *said = cagd_read_words(&at);
-        for (size_t k = 0; said != NULL && depth <= 0 && here > r->token && k < sizeof ends / sizeof *ends; k++)
-            if (is_said(said, ends[k]))
-                return here;
-        if (said == NULL && depth <= 0 &&
-            (cagd_next_is(&at, "\\Rightarrow") || cagd_next_is(&at, "\\Leftarrow") || cagd_next_is(&at, "\\iff") ||
-             cagd_next_is(&at, "\\forall") || cagd_next_is(&at, "\\exists")))
-            return here;
-        at.token += said == NULL;
-    }
-    return at.token;
-}
-
-/* Where what stands before the range at t begins, a comma, words, a bracket or a wide space, and *close, whether a bracket has to end behind it; NULL
- * where a range cannot begin. */
-static const cagd_token *before_range(const cagd_reader *r, const cagd_token *first, const cagd_token *t, int *close)
-{
-    *close = 0;
-    if (t == first)
-        return t;
-    if (strchr(",;", t[-1].word[0]) != NULL)
-        return t - 1;
-    if (strcmp(t[-1].word, "(") == 0) {
-        *close = 1, t--;
-        return t > first && strchr(",;", t[-1].word[0]) != NULL ? t - 1 : t;
-    }
-    if (strcmp(t[-1].word, "}") == 0) { /* \text{ for } */
-        static const char *const words[] = {"for",  "for all", "for each", "for every", "for any",    "where",
-                                            "with", "and",     "and for",  "and all",   "and for all"};
-        cagd_reader at = *r;
-        for (at.token = t - 1; at.token > first && at.token[0].word[0] != '\\'; at.token--)
-            ;
-        const cagd_token *begin = at.token;
-        const char *said = cagd_read_words(&at);
-        for (size_t k = 0; said != NULL && at.token == t && k < sizeof words / sizeof *words; k++)
-            if (is_said(said, words[k]))
-                return begin > first && strchr(",;", begin[-1].word[0]) != NULL ? begin - 1 : begin;
-    }
-    int at = t->from;
-    while (at > 0 && r->text[at - 1] == ' ')
-        at--;
-    return at >= 4 && memcmp(r->text + at - 4, "quad", 4) == 0 ? t : NULL;
-}
-
-/* Whether the letter stands from `first` to `end`, but not from `low` to `high`. */
-static int is_besides(const char *letter, const cagd_token *first, const cagd_token *end, const cagd_token *low,
-                      const cagd_token *high)
-{
-    for (const cagd_token *t = first; t < end; t++)
-        if ((t < low || t >= high) && t->kind == CAGD_TOKEN_LETTER && strcmp(t->word, letter) == 0)
-            return 1;
-    return 0;
-}
-
-/* The tokens without those from `from` to `to`, r->token being the first. */
-static const cagd_token *without(cagd_reader *r, const cagd_token *from, const cagd_token *to)
-{
-    const cagd_token *end = to;
-    while (end->kind != CAGD_TOKEN_END)
-        end++;
-    long before = from - r->token, behind = end - to + 1;
-    cagd_token *list = cagd_region_array((int)(before + behind), 1, sizeof *list);
-    if (list == NULL)
-        return NULL;
-    for (long k = 0; k < before + behind; k++)
-        list[k] = k < before ? r->token[k] : to[k - before];
-    return list;
-}
-
-/* Whether the token stands in a bracket that begins from `first` on. */
-static int is_inside(const cagd_token *first, const cagd_token *token)
-{
-    int depth = 0;
-    for (const cagd_token *t = first; t < token; t++)
-        depth += (strcmp(t->word, "(") == 0) - (strcmp(t->word, ")") == 0);
-    return depth > 0;
-}
-
-/* Whether there is another connective than "and" from `first` to `last`: what is said for all in a bracket is said so of that alone. */
-static int has_other_connective(const cagd_reader *r, const cagd_token *first, const cagd_token *last)
-{
-    static const char *const others[] = {"\\lor", "\\neg", "\\Rightarrow", "\\Leftarrow", "\\iff", "\\exists"};
-    cagd_reader at = *r;
-    for (at.token = first; at.token < last;) {
-        for (size_t k = 0; k < sizeof others / sizeof *others; k++)
-            if (cagd_next_is(&at, others[k]))
-                return 1;
-        const char *said = cagd_read_words(&at);
-        if (said != NULL && !cagd_are_words_of_range(said))
-            return 1;
-        at.token += said == NULL;
-    }
-    return 0;
-}
-
-/* The first range of an index that stands in what is supposed, from `low` to `high`, and is about another part of it; its letter means nothing else, or, with
- * `known`, is a whole number that was declared.  NULL where there is none. */
-static const cagd_token *range_within(cagd_reader *r, int known, cagd_list *list, const cagd_token **from,
-                                      const cagd_token **to)
-{
-    const cagd_token *first = r->token, *last = end_of_supposed(r);
-    for (const cagd_token *t = first; t < last; t++) {
-        int close;
-        const cagd_variable *v = t->kind == CAGD_TOKEN_LETTER ? cagd_declared(r->scope, t->word) : NULL;
-        if (!cagd_begins_range(t) || (cagd_is_known(r, t->word) && !(known && v != NULL && v->whole)) ||
-            (*from = before_range(r, first, t, &close)) == NULL)
-            continue;
-        struct cagd_bound room[CAGD_MOST_INDICES];
-        const struct cagd_bound *outside = r->bound;
-        int used = 0;
-        for (const cagd_token *m = first; m < last && used < CAGD_MOST_INDICES; m++) /* they may have one another */
-            if (m != t && cagd_begins_range(m) && !cagd_is_known(r, m->word)) {
-                room[used] = (struct cagd_bound){m->word, r->bound, 0};
-                r->bound = &room[used++];
-            }
-        r->token = t;
-        int is = cagd_read_index_range(r, list);
-        *to = r->token;
-        r->token = first, r->bound = outside;
-        if (!is || (close && strcmp((*to)->word, ")") != 0))
-            continue;
-        *to += close;
-        if (*from == first && strchr(",;", (*to)->word[0]) != NULL && (*to)->kind != CAGD_TOKEN_END)
-            ++*to;
-        if (v == NULL && !is_besides(t->word, first, last, *from, *to))
-            continue;
-        if (is_inside(first, *from) && has_other_connective(r, first, last)) {
-            r->token = t;
-            cagd_refuse_token(
-                r,
-                "is the range of %s that of the bracket alone, or of all that is supposed? write \\forall %s "
-                "\\in \\{...\\}: before what it is of",
-                t->word, t->word);
-            return NULL;
-        }
-        return t;
-    }
-    return NULL;
-}
-
-/* Takes the ranges out of what is supposed and comes next; their letters are known from here on. */
-static int take_ranges(cagd_reader *r, int known, struct own_ranges *own)
-{
-    cagd_list range;
-    const cagd_token *from, *to, *t;
-    own->count = 0;
-    while (own->count < CAGD_MOST_INDICES && (t = range_within(r, known, &range, &from, &to)) != NULL) {
-        const cagd_variable *v = cagd_declared(r->scope, t->word);
-        const cagd_token *list = without(r, from, to);
-        if (list == NULL)
-            return 0;
-        r->token = list;
-        if (v != NULL && v->whole)
-            continue;
-        own->letter[own->count] = (struct cagd_bound){t->word, r->bound, 0};
-        own->list[own->count] = range;
-        r->bound = &own->letter[own->count++];
-    }
-    return r->error->message[0] == '\0';
-}
-
-enum { MOST_WRITTEN_OUT = 12 };
-
-/* t for all numbers of the range; where its ends are numbers, not many, one behind another. */
-static const cagd_tree *for_all_of(cagd_reader *r, const cagd_tree *t, const char *letter, const cagd_list *range)
-{
-    const cagd_tree *list[MOST_WRITTEN_OUT], *low = range->low, *high = range->high;
-    long first, last;
-    if (range->count == 0 && range->step == 1 && low->kind == CAGD_NUMBER && high->kind == CAGD_NUMBER &&
-        cagd_is_whole_in_long(low, &first) && cagd_is_whole_in_long(high, &last)) {
-        if (first <= last && (unsigned long)last - (unsigned long)first < MOST_WRITTEN_OUT) {
-            for (long k = first; k <= last; k++)
-                list[k - first] = cagd_tree_with(t, letter, cagd_tree_number(k, low->from, low->to));
-            return first == last ? list[0] : cagd_new_of(r, CAGD_ALL, t->from, (int)(last - first) + 1, list);
-        }
-    }
-    return cagd_over_list(r, CAGD_FOR_ALL, t->from, letter, range, t);
-}
-
-/* What was supposed, for all of its own ranges: each of its parts for those whose letters it has, the ends of which may have other letters. */
-static const cagd_tree *for_own_ranges(cagd_reader *r, const cagd_tree *t, const struct own_ranges *own)
-{
-    if (t == NULL || own->count == 0)
-        return t;
-    if (t->kind == CAGD_ALL) {
-        const cagd_tree *list[CAGD_MOST_CHILDREN];
-        int count = 0;
-        for (int k = 0; k < t->count; k++) {
-            const cagd_tree *one = for_own_ranges(r, t->at[k], own);
-            const cagd_tree *const *parts = one != NULL && one->kind == CAGD_ALL ? one->at : &one;
-            int several = one != NULL && one->kind == CAGD_ALL ? one->count : 1;
-            if (one == NULL || count + several > CAGD_MOST_CHILDREN)
-                return one == NULL ? NULL : cagd_refuse_tree(r, t, "more than %d conditions", CAGD_MOST_CHILDREN);
-            for (int m = 0; m < several; m++)
-                list[count++] = parts[m];
-        }
-        return cagd_new_of(r, CAGD_ALL, t->from, count, list);
-    }
-    int is_done[CAGD_MOST_INDICES] = {0};
-    for (int more = 1;
-         more && t != NULL;) { /* those in the ends of which another letter is stand inside of that one's */
-        more = 0;
-        for (int k = 0; k < own->count && t != NULL; k++) {
-            int waits = is_done[k] || !cagd_tree_has(t, own->letter[k].head);
-            for (int m = 0; m < own->count && !waits; m++)
-                waits = m != k && !is_done[m] && cagd_tree_has(t, own->letter[m].head) &&
-                        (cagd_tree_has(own->list[m].low, own->letter[k].head) ||
-                         cagd_tree_has(own->list[m].high, own->letter[k].head));
-            if (waits)
-                continue;
-            is_done[k] = more = 1;
-            t = for_all_of(r, t, own->letter[k].head, &own->list[k]);
-        }
-    }
-    return t;
-}
+/* ---- what is supposed ------------------------------------------------------------------------------------ */
 
 /* How what is supposed begins: with "for" and what may be a list of ranges, with "if", or with no word. */
 enum supposing { NOT_SUPPOSED, FOR_RANGES, BY_A_WORD, WITHOUT_WORD };
@@ -754,9 +506,9 @@ static const cagd_tree *supposed_as_it_stands(cagd_reader *r, enum supposing how
 
 static const cagd_tree *supposed(cagd_reader *r, enum supposing how)
 {
-    struct own_ranges own;
+    cagd_own_ranges own;
     const struct cagd_bound *outside = r->bound;
-    const cagd_tree *t = take_ranges(r, 0, &own) ? for_own_ranges(r, supposed_as_it_stands(r, how), &own) : NULL;
+    const cagd_tree *t = cagd_take_ranges(r, 0, &own) ? cagd_for_own_ranges(r, supposed_as_it_stands(r, how), &own) : NULL;
     r->bound = outside;
     return t;
 }
@@ -764,15 +516,15 @@ static const cagd_tree *supposed(cagd_reader *r, enum supposing how)
 /* The right side of \iff behind the left one: ranges of letters that stand in it alone, a = 0 \iff a_j = 0, j = 1, 2, are its own. */
 static const cagd_tree *right_side(cagd_reader *r, const cagd_tree *left)
 {
-    struct own_ranges own;
+    cagd_own_ranges own;
     const struct cagd_bound *outside = r->bound;
     const cagd_token *here = r->token;
-    if (!take_ranges(r, 0, &own))
+    if (!cagd_take_ranges(r, 0, &own))
         return NULL;
     for (int k = 0; k < own.count; k++)
         if (cagd_tree_has(left, own.letter[k].head))
             own.count = 0, r->token = here, r->bound = outside;
-    const cagd_tree *t = for_own_ranges(r, cagd_read_alternatives(r), &own);
+    const cagd_tree *t = cagd_for_own_ranges(r, cagd_read_alternatives(r), &own);
     r->bound = outside;
     return t;
 }
@@ -845,7 +597,7 @@ static int is_supposed_first(const cagd_reader *r)
 {
     static const char *const words[] = {"then", "implies", "implies that", NULL};
     cagd_reader at = *r;
-    at.token = end_of_supposed(r);
+    at.token = cagd_end_of_supposed(r);
     return cagd_next_is(&at, "\\Rightarrow") || pass_words(&at, words);
 }
 
@@ -859,13 +611,13 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     int from = first->from, begins_with_if = pass_words(r, if_words);
     if (cagd_next_is(r, "\\forall") || cagd_next_is(r, "\\exists"))
         return quantified(r);
-    struct own_ranges own = {.count = 0};
+    cagd_own_ranges own = {.count = 0};
     const struct cagd_bound *outside = r->bound;
     int begins = begins_with_if || is_supposed_first(r);
-    if (begins && !take_ranges(r, 0, &own))
+    if (begins && !cagd_take_ranges(r, 0, &own))
         return NULL;
     first = r->token;
-    const cagd_tree *a = begins ? for_own_ranges(r, parts_supposed(r, BY_A_WORD), &own) : cagd_read_alternatives(r),
+    const cagd_tree *a = begins ? cagd_for_own_ranges(r, parts_supposed(r, BY_A_WORD), &own) : cagd_read_alternatives(r),
                     *b = a;
     r->bound = outside;
     if (a == NULL)
@@ -944,13 +696,13 @@ const cagd_tree *cagd_read_supposed(const cagd_scope *scope, const char *text, i
                                     cagd_reading_error *error)
 {
     cagd_reader r;
-    struct own_ranges own;
+    cagd_own_ranges own;
     if (!cagd_reader_open(&r, scope, text, from, to, error))
         return NULL;
     enum supposing how = pass_supposed(&r);
-    if (!take_ranges(&r, 1, &own) || r.token->kind == CAGD_TOKEN_END)
+    if (!cagd_take_ranges(&r, 1, &own) || r.token->kind == CAGD_TOKEN_END)
         return NULL;
-    const cagd_tree *t = for_own_ranges(&r, supposed_as_it_stands(&r, how == NOT_SUPPOSED ? WITHOUT_WORD : how), &own);
+    const cagd_tree *t = cagd_for_own_ranges(&r, supposed_as_it_stands(&r, how == NOT_SUPPOSED ? WITHOUT_WORD : how), &own);
     cagd_pass(&r, ".");
     if (t != NULL && r.token->kind != CAGD_TOKEN_END)
         return cagd_refuse_token(&r, "expected the end of the formula, not %s", cagd_name_of_next(&r));

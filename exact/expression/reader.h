@@ -233,6 +233,27 @@ const cagd_tree *cagd_read_rows_apart(cagd_reader *r);
 /* Whether nothing but a full stop comes next: then that is passed; otherwise what stands there is refused. */
 int cagd_at_the_end(cagd_reader *r);
 
+/* ---- read_own_ranges.c ----------------------------------------------------------------------------------- */
+
+/* Ranges of indices in what is supposed, "if a_j = 0 for j = 1, 2": it is supposed for all of them. */
+typedef struct cagd_own_ranges {
+    struct cagd_bound letter[CAGD_MOST_INDICES];
+    cagd_list list[CAGD_MOST_INDICES];
+    int count;
+} cagd_own_ranges;
+/* Takes the ranges out of what is supposed and comes next; their letters are known from here on.  With `known`, also those of whole numbers that were declared. */
+int cagd_take_ranges(cagd_reader *r, int known, cagd_own_ranges *own);
+/* What was supposed, for all of its own ranges. */
+const cagd_tree *cagd_for_own_ranges(cagd_reader *r, const cagd_tree *t, const cagd_own_ranges *own);
+/* The token that ends what is supposed and begins at r->token. */
+const cagd_token *cagd_end_of_supposed(const cagd_reader *r);
+/* A row, and the ranges behind it of letters that mean nothing else, a_i = 1, \quad 0 \le i \le n, up to the last token: it is said for all of these.  Whether there
+ * are some. */
+const cagd_tree *cagd_read_row(cagd_reader *r);
+int cagd_row_has_range(const cagd_reader *r);
+/* Whether a text says this and nothing else; commas around it, and how it begins, do not count. */
+int cagd_is_said(const char *text, const char *words);
+
 /* ---- read_declaration.c, read_range.c -------------------------------------------------------------------- */
 
 /* Tries that fail leave no trace: cagd_back goes to where the reader was, and is 0. */

@@ -27,10 +27,11 @@ typedef struct cagd_growth {
 } cagd_growth;
 enum { CAGD_MOST_GROWTHS = 12, CAGD_MOST_CLOSED = 4, CAGD_MOST_DIVISORS = 64 };
 
-/* What a sum of terms F rests on: its letter k, and a F(k) = G(k+1) - G(k), G = R F. */
+/* What a sum of terms F rests on: its letter k, and a F(k) = G(k+1) - G(k), G = R F; where F is a polynomial in k, G itself stands in R. */
 typedef struct cagd_closed_sum {
     const char *k;
     cagd_num_f a, R;
+    int is_polynomial;
 } cagd_closed_sum;
 
 /* Made by cagd_search_begin.  n and k are variables of the field; the name of n is bound in the context, where it is at least `from`. */

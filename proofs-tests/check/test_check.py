@@ -1889,6 +1889,78 @@ class RowsAndLists(unittest.TestCase):
         self.assertFalse([s for s in ("ll", "[c]", "@", "hline") if s in page.split("Verdict")[0]], page)
 
 
+class AsPapersHaveIt(unittest.TestCase):
+    """Formulas as notes and papers have them: over several lines, in rows with a range each, with dots, in long chains."""
+
+    def test_lines_that_go_on(self):
+        """A printed formula goes on up to an empty line or a field: what stands in a line of its own is never left out."""
+        for lines, expected in ((r"F(x) = x^2", "holds"), ("F(x) = x^2\n+ 1", "fails"), ("F(x)\n= x^2", "holds"), ("F(x)\n\n= x^2 + 1", None), ("F(x) = x^2\n\n+ 1", "holds"), ("\n$$\nF(x) = x^2\n$$", "holds"),
+                                ("\n\\[\nF(x) = x^2\n+ 1\n\\]", "fails"), ("\\begin{aligned}\nF(x) &= x \\cdot x \\\\\n&= x^2\n\\end{aligned}", "holds"), ("\\begin{aligned}\nF(x) &= x \\cdot x \\\\\n&= x^2 + 1\n\\end{aligned}", "fails"),
+                                ("F(x) =\n  x^2", "holds"), ("F(x) = x^2,\nF(1) = 2", "fails")):
+            with self.subTest(lines=lines):
+                r = check(f":::{{let}}\n{LET}:::\n:::{{statement}} s\n:printed: {lines}\n:for: x\n\\ge 0\n:::\n", "--json")
+                self.assertEqual(json.loads(r.stdout)["statements"][0]["verdict"] if r.stdout else None, expected, r.stderr)
+
+    def test_definitions_that_go_on(self):
+        """In a block of definitions a line goes on where something is open, or the next one begins or ends with a sign."""
+        for lines in ("G(t) = t^2\n+ t", "G(t) =\nt^2 + t", "G(t) = t^2 +\nt", "$$\nG(t) = t^2\n+ t\n$$", "\\[\nG(t) = t^2 + t\n\\]", "G(t)\n= t^2 + t", "G(t) = t^2 + \\begin{cases}\nt & t \\ge 0 \\\\\nt & t < 0\n\\end{cases}",
+                      "G(t) = t^{\n2} + t", "a = 1\nG(t) = t^2 + a t\n-1 \\le b \\le 1"):
+            with self.subTest(lines=lines):
+                self.assertEqual(verdict("G(t) = t(t+1)", "t \\in \\mathbb{R}", lines)["verdict"], "holds")
+                self.assertEqual(verdict("G(t) = t^2", "t \\in \\mathbb{R}", lines)["verdict"], "fails")
+
+    def test_dots_are_derivatives_of_what_was_defined(self):
+        let = "g(t;s) = s t^3\nh(s,t) = s t\n\\dot{k}(t) = 1\nk(t) = t^2\nJ_{n,i}(t) = \\binom{n}{i} t^i (1-t)^{n-i}\nP(t) = \\sum_{i=0}^3 x_i J_{3,i}(t)"
+        for printed, expected in ((r"\dot F(x) = 2x", "holds"), (r"\dot F(x) = x", "fails"), (r"\dot{F} = 2t", "holds"), (r"\ddot F(x) = 2", "holds"), (r"\ddot{F}(3) = 6", "fails"), (r"\dddot F(x) = 0", "holds"), (r"\dot g(x;y) = 3 x^2 y", "holds"),
+                                  (r"\ddot g = 6 s t", "holds"), (r"\dot k(x) = 1", "holds"), (r"\dot k(x) = 2 x", "fails"), (r"\dot J_{3,1}(t) = 3((1-t)^2 - 2t(1-t))", "holds"), (r"\dot J_{3,1} = 3((1-t)^2 - t(1-t))", "fails"),
+                                  (r"\frac{\dot P}{3} = (1-t)^2 (x_1 - x_0) + 2t(1-t)(x_2 - x_1) + t^2 (x_3 - x_2)", "holds"), (r"\dot{F}^2 = 4 t^2", "holds"), (r"\dot h(s,t) = t", None), (r"\dot x = 1", None)):
+            with self.subTest(printed=printed):
+                r = check(document(printed, "n = 1", let), "--json")
+                self.assertEqual(json.loads(r.stdout)["statements"][0]["verdict"] if r.stdout else None, expected, r.stderr)
+
+    def test_rows_with_a_range_each(self):
+        """The range behind a row is that of the row, and what fails is told with its row and its number."""
+        rows = lambda first, second, environment="aligned": f"\\begin{{{environment}}} {first} \\\\ {second} \\end{{{environment}}}"
+        up, down = r"\binom{n}{i} &= \frac{n+1-i}{n+1} \binom{n+1}{i}, \quad ", r"\binom{n}{i-1} &= \frac{i}{n+1} \binom{n+1}{i}, \quad "
+        start, end = r"B_i^n(0) = 0, \quad ", r"B_i^n(1) = 0, \quad "
+        for printed, expected, number in (
+                (rows(up + r"i = 0, \dots, n", down + r"i = 1, \dots, n+1"), "holds", None), (rows(up + r"0 \le i \le n", down + r"1 \le i \le n + 1"), "holds", None), (rows(up + r"0 \le i < n", r"\binom{n}{i} &= \binom{n}{n-i}, \quad i = 0, 1"), "holds", None),
+                (rows(up.replace("n+1-i", "n-i") + r"i = 0, \dots, n", down + r"1 \le i \le n+1"), "fails", "0"), (rows(up + r"0 \le i \le n", down.replace("i}{n+1}", "1}{n+1}") + r"1 \le i \le n + 1"), "fails", "2"),
+                (rows(start + r"1 \le i \le n,", end + r"0 \le i \le n - 1", "cases"), "holds", None), (rows(start + r"0 < i \le n", end + "0 \\le i < n", "gathered"), "holds", None), (rows(start + r"1 \le i \le n", end + r"i = 0, 1, \dots, n", "cases"), "fails", "1"),
+                (rows(start + r"0 \le i \le n", end + r"0 \le i < n", "cases"), "fails", "0"), (rows(r"B_0^n(0) = 1,", start + r"i = 1, \dots, n", "cases"), "holds", None), (rows("B_i^n(t) &= B_{n-i}^n(1-t), \\quad 0 \\le i \\le n", r"B_i^n(t) &\ge 0, \quad 0 \le i \le n"), "fails", "1"),
+                (rows(r"\sum_{i=0}^n B_i^n(t) &= 1", r"B_i^n(t) &= B_{n-i}^n(t), \quad i = 0, \dots, n"), "fails", "0"), (rows(r"B_i^n(0) = 0, \quad 1 \le i \le j", r"B_j^n(1) = 0, \quad 0 \le j < n", "cases"), None, None)):
+            with self.subTest(printed=printed):
+                r = check(document(printed), "--json")
+                self.assertEqual((s := json.loads(r.stdout)["statements"][0] if r.stdout else {"verdict": None})["verdict"], expected, r.stderr)
+                if number is not None:
+                    self.assertIn({"name": "i", "value": number}, s["counterexample"]["values"])
+                    self.assertNotEqual(s["counterexample"]["left"], s["counterexample"]["right"])
+
+    def test_what_fails_for_one_of_all_is_told_with_it(self):
+        s = verdict(r"\forall i \in \{0, \dots, 3\}: \binom{3}{i} \le 2", "n = 1")["counterexample"]
+        self.assertEqual((s["values"], s["left"], s["right"]), ([{"name": "i", "value": "1"}], "3", "2"))
+        s = verdict(r"\forall i \in \{0, \dots, n\}: \forall j \in \{0, \dots, i\}: x_i + x_j = x_j + 2 x_i", "n = 1..2")["counterexample"]
+        self.assertEqual([v["name"] for v in s["values"]][-2:], ["i", "j"])
+
+    def test_chains_with_several_sums(self):
+        """Every side with a sum is proved equal to one without, or to its neighbour."""
+        for printed, expected, links in (
+                (r"\sum_{i=0}^n B_i^n(t) = \sum_{i=0}^n \binom{n}{i} t^i (1-t)^{n-i} = (t + (1-t))^n = 1^n = 1", "holds", 2), (r"\sum_{i=0}^n \binom{n}{i} = 2^n = \sum_{i=0}^n \binom{n}{n-i}", "holds", 2),
+                (r"\sum_{i=0}^n \binom{n}{i} = 2^n = \sum_{i=0}^n \binom{n}{n-i} = \sum_{i=0}^{n} 1", "fails", 0), (r"\sum_{i=0}^n i = \frac{n(n+1)}{2} = \sum_{i=0}^n (n-i)", "holds", 0), (r"\sum_{i=0}^n \binom{n}{i} = 2^n = 2 \cdot 2^{n-1}", "holds", 0),
+                (r"1 = \sum_{i=0}^n B_i^n(t) \ge 1", "undecided", 0), (r"\sum_{i=0}^n \binom{n}{i}^2 = \binom{2n}{n} = \sum_{i=0}^n \binom{n}{i} \binom{n}{n-i}", "holds", 2)):
+            with self.subTest(printed=printed):
+                s = verdict(printed, r"n \in \mathbb{N}")
+                self.assertEqual((s["verdict"], len(s.get("links", []))), (expected, links), s)
+        s = verdict(r"\sum_{i=0}^n \binom{n}{i} = 2^n = \sum_{i=0}^n \binom{n}{n-i}", r"n \in \mathbb{N}")
+        self.assertEqual([link["link_tex"] for link in s["links"]], [r"\sum_{i=0}^n \binom{n}{i} = 2^n", r"\sum_{i=0}^n \binom{n}{n-i} = 2^n"])
+        self.assertTrue(all("telescoper" in link for link in s["links"]))
+
+    def test_what_a_line_would_have_defined_is_not_told_again(self):
+        r = check(":::{let}\nG(t) = t + zz\nK_i = G(i)\n:::\n" + "".join(f":::{{statement}} s{k}\n:printed: {p}\n:::\n" for k, p in enumerate(("G(t) = t", "G'(t) = 1", "K_1 = 2", "ww = 1"))))
+        self.assertEqual(r.returncode, 2)
+        self.assertEqual([line.split(": ")[2] for line in r.stderr.splitlines() if line.startswith("cagd: ")], ["z is not defined; a line 'z \\in \\mathbb{R}' in a let block makes it a variable", "w is not defined; a line 'w \\in \\mathbb{R}' in a let block makes it a variable"])
+
+
 class Mistakes(unittest.TestCase):
     """One line, the line of the file, and a caret; nothing is decided."""
 
@@ -2141,6 +2213,22 @@ class Verdicts(unittest.TestCase):
         for printed in (f"\\sum_{{i=0}}^n x^i = \\frac{{x^{{n+1}} - 1}}{{x - 1}} + {late}", f"\\sum_{{i=0}}^n i = \\frac{{n(n+1)}}{{2}} + {late}", f"(n+1)! = (n+1) n! + {late}",
                         "\\sum_{i=0}^n x^i \\ge \\frac{x^{n+1} - 1}{x - 1}", "(-1)^n = 1", "(-1)^{3n} = (-1)^{2n+1}", "\\sum_{i=0}^n x^i = \\frac{x^n - 1}{x - 1}"):
             self.assertIn(verdict(printed, "n = 0..")["verdict"], {"undecided", "fails"})
+
+    def test_sums_of_polynomials_for_every_number(self):
+        """The G that is told has the terms as differences, also where a term is 0; what is off from the ninth number on is not proved."""
+        for term, low, high, value in (("n - i", 0, "n", "\\frac{n(n+1)}{2}"), ("n + i", 0, "n", "\\frac{3n(n+1)}{2}"), ("(n-i)(i-2)", 1, "n-1", "\\frac{(n-1) n (n+1)}{6} - n(n-1)"), ("i^5", 0, "n", "\\frac{n^2 (n+1)^2 (2n^2+2n-1)}{12}"),
+                                       ("1", 1, "n+1", "n + 1"), ("0", 1, "n", "0"), ("\\frac{i}{n+1}", 0, "n", "\\frac{n}{2}"), ("(i - n x)^2", 0, "n", "\\frac{n (n+1) (2n+1)}{6} - n^2 (n+1) x + n^2 (n+1) x^2")):
+            printed = f"\\sum_{{i={low}}}^{{{high}}} ({term}) = {value}"
+            s = verdict(printed, "n = 1..")
+            self.assertEqual((s["verdict"], s["evidence"]), ("holds", "proved"), s)
+            if "x" not in term and "frac" not in term:
+                F, G = (lambda n, i, x=x: fractions.Fraction(eval(x.replace("^", "**").replace(")(", ")*("), {}, {"n": n, "i": fractions.Fraction(i)})) for x in (term, s["closed_form"]["sums"][0]["G"]))
+                for n in range(1, 6):
+                    self.assertEqual([F(n, i) for i in range(8)], [G(n, i + 1) - G(n, i) for i in range(8)])
+            late = " + " + " ".join(f"(n-{k})" for k in range(1, 9))
+            self.assertIn(verdict(printed + late, "n = 1..")["verdict"], {"undecided", "fails"}, printed)
+        for printed in ("\\sum_{i=2}^n (n - i) = \\frac{(n-1)(n-2)}{2}", "\\sum_{i=1}^n \\frac{i(i-300)}{i-300} = \\frac{n(n+1)}{2}", "\\sum_{i=1}^n \\frac{i}{n-300} = \\frac{n(n+1)}{2(n-300)}"):
+            self.assertIn(verdict(printed, "n = 0..")["verdict"], {"undecided", "fails"}, printed) # at n = 0, i = 300, n = 300
 
     def test_what_is_not_defined_for_some_number_is_not_proved(self):
         for printed in ("\\sum_{i=0}^n \\binom{n}{i} \\frac{n-20}{n-20} = 2^n", "\\sum_{i=0}^n \\binom{n}{i} \\frac{i-20}{i-20} = 2^n",
