@@ -307,6 +307,18 @@ const cagd_tree *cagd_body_of(cagd_context *c, const cagd_tree *t, const cagd_va
     return NULL;
 }
 
+/* Whether a name that stands for many numbers is in the value. */
+static int has_name(const cagd_context *c, cagd_value value)
+{
+    for (int m = 0; m < c->count && !value.rational; m++) {
+        const cagd_binding *b = &c->binding[m];
+        if (b->unknown && !b->hidden && b->key[0] != '\0' &&
+            (degree_f(value.f, b->value.f) > 0 || denominator_degree_f(value.f, b->value.f) > 0))
+            return 1;
+    }
+    return 0;
+}
+
 /* "no definition fits with i = -1": the letters are those of the first definition; numbers that are long, or none, are left out. */
 static const char *why_none_fits(const cagd_context *c, const cagd_tree *t, const cagd_value value[])
 {
@@ -318,7 +330,7 @@ static const char *why_none_fits(const cagd_context *c, const cagd_tree *t, cons
     int used = snprintf(text, sizeof text, "%s", words), told = 0, is_conditional = 0;
     for (; d != NULL && strcmp(d->left->head, t->head) == 0 && told == 0; d = d->next)
         for (int k = 0; k < d->left->count && used < 80; k++) {
-            is_conditional |= d->when != NULL && !value[k].rational;
+            is_conditional |= d->when != NULL && has_name(c, value[k]);
             char number[24];
             int length = value[k].rational && d->left->at[k]->kind == CAGD_NAME && strlen(d->left->at[k]->head) < 12
                              ? gmp_snprintf(number, sizeof number, "%Qd", value[k].q.at)
