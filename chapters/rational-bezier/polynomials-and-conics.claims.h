@@ -314,8 +314,8 @@ CLAIM(tangent_conics_are_rational_quadratics)
 :printed: the references 1 to 10
 :holds-by: each_of_ten_references_is_cited_once
 
-Rowin, Coons, Ball, Forrest, Farin, Pigel and 刘鼎元 are named in the opening with the numbers 1 to 7, Liming with 8, the rule of Descartes with 9 and the genus with
-10.  Reference 1 is of the Boeing Company, printed Beoing; the report of reference 2, of 1967, is on space forms, printed figures; reference 3 is about the
+Rowin, Coons, Ball, Forrest, Farin, Pigel and 刘鼎元 are named in the opening with the numbers 1 to 7, Liming with 8, which is the book of Faux and Pratt, the rule of
+Descartes with 9 and the genus with 10.  Reference 1 is of the Boeing Company, printed Beoing; the report of reference 2, of 1967, is on space forms, printed figures; reference 3 is about the
 conic lofting tile, printed title; reference 4 is in number 4 of its volume, printed 2; the author of reference 6 is Piegl, printed Pigel here and in the opening.
 :::
 
