@@ -308,6 +308,7 @@ CLAIM(limings_pencil_misses_one_conic)
   another one.
 
 The figure itself is not in the text at hand.
+Two parallel tangents have no point $R_1$; that they and the chord determine a pencil, too, is decided at (3.1.3).
 :::
 */
 
