@@ -456,8 +456,10 @@ CLAIM(pencil_begins_and_ends_with_the_two_conics)
 :zh: 两条直线之积
 :given: points $p$, $q$, a line $l$ and a point $(x,y)$
 :then: the line through $p$ and $q$ has at $(x,y)$ the value $(q-p)\times((x,y)-p)$; the product of two lines is a
-  conic $S$ with $S(x,y)=l_1(x,y)l_2(x,y)$, and its $3\times3$ determinant is 0
-:method: The other sides are a determinant of two vectors and the product of two values, every coefficient a variable.
+  conic $S$ with $S(x,y)=l_1(x,y)l_2(x,y)$, and its $3\times3$ determinant is 0; $2(A^2+2B^2+C^2)=|\mathbf u|^2|\mathbf v|^2+(\mathbf u\cdot\mathbf v)^2$ with
+  $\mathbf u$, $\mathbf v$ the first two coefficients of $l_1$, $l_2$
+:method: The other sides are a determinant of two vectors, the product of two values and scalar products, every coefficient a variable.  Neither $\mathbf u$ nor
+  $\mathbf v$ is $\mathbf 0$ for a line, so by the last equation $A$, $B$ and $C$ are not all 0: the equation is quadratic.
 :defines: line_through line_pair
 :over: p# q#: points; l#: lines
 :control: the coefficient $B$ doubled
@@ -483,6 +485,10 @@ CLAIM(line_pair_is_a_degenerate_conic)
     same(T, G(form)(S, x, y), mul(turn, G(on_line)(l2, x, y)));
     about(T, "its determinant");
     vanishes(T, G(conic_determinant)(S));
+    about(T, "its quadratic part");
+    /* 2 (A² + 2B² + C²) = |u|² |v|² + (u·v)² */
+    num squares = add(add(mul(S[0], S[0]), mul(from_int(2), mul(S[1], S[1]))), mul(S[2], S[2])), uv = G(dot)(2, l1, l2);
+    same(T, mul(from_int(2), squares), add(mul(G(norm_squared)(2, l1), G(norm_squared)(2, l2)), mul(uv, uv)));
 }
 
 /*
@@ -497,12 +503,13 @@ common points is now a matter of how the four lines lie.
   lines of the pair $(l_1,l_2)$ meet those of the pair $(l_3,l_4)$.
 :holds-by: line_pairs_share_four_points conics_through_four_points_are_a_pencil
 :needs: parallel_lines_meet_in_two_points | the sentence itself, by which the pairs meet two by two in four points | each of
-  $l_1,l_2$ meets each of $l_3,l_4$.
+  $l_1,l_2$ meets each of $l_3,l_4$ in one point.
 :needs: concurrent_lines_lose_a_point | the sentence itself, which has four points | the four points of the two pairs are different.
 :hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3l_4=0$ is missing.
 :figure: pencil_of_conics
 
-That no three of the four points are on a line follows when they are four different ones.
+That no three of the four points are on a line follows when they are four different ones, and so does that $l_3l_4$ is no multiple of $l_1l_2$: $l_3$
+meets $l_1$ and $l_2$ in one point each, so it is neither of them.
 :::
 
 :::{claim} line_pairs_share_four_points

@@ -833,6 +833,7 @@ CLAIM(translated_homogeneous_points_give_no_translate)
 :figure: reversed_polygon
 
 No sign of the weights is needed: the two curves have one denominator, at $t$ and at $1-t$.
+The coefficients of which the verdict speaks are the $\omega_i$ of the denominator and the $\omega_i\mathbf R_i$ of the numerator.
 :::
 
 :::{claim} reversed_points_and_weights_reverse_the_curve

@@ -95,7 +95,7 @@ FIGURE(growing_weight)
     svg *s = svg_new(
         "growing_weight", "A growing weight draws every point straight to its vertex",
         "Cubics with the weight of R_1 equal to 1/4, 1, 4 and 16; the points of equal parameters lie on straight lines "
-        "to R_1.  Below zero the pull becomes a push.");
+        "to R_1.  Where the denominator is negative the pull becomes a push.");
     num_q R[] = {q(0), q(0), q(1), q(4), q(5), q(3), q(6), q(0)};
     static const long quarters[] = {1, 4, 16, 64};
     svg_panel(s, svg_integer_window(-1, -1, 7, 5), 400, 0,

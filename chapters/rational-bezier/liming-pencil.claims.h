@@ -24,6 +24,9 @@ all triangles.
   $l_2$ may be parallel.
 :hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3^2=0$ is missing.
 :figure: limings_pencil
+
+The values and gradients of the members are linear in the two factors $1-\lambda$ and $\lambda$, so what is proved of them is true for the factors $1$ and $-1$ of
+$\lambda=\infty$ as well.
 :::
 
 Let the lines $l_3$ and $l_4$ of the last section move together.  Two of the four common points then fall together in $R_0$
@@ -305,6 +308,7 @@ CLAIM(limings_pencil_misses_one_conic)
   another one.
 
 The figure itself is not in the text at hand.
+Two parallel tangents have no point $R_1$; that they and the chord determine a pencil, too, is decided at (3.1.3).
 :::
 */
 

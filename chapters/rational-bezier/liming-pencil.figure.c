@@ -13,7 +13,8 @@ FIGURE(limings_pencil)
         int m, n;
         const char *lambda;
     } member[] = {{2, 1, "λ=1/17"}, {1, 1, "λ=1/5"}, {1, 2, "λ=1/2"}, {1, 4, "λ=4/5"}};
-    svg_panel(s, svg_integer_window(-2, -3, 9, 6), 560, 0, "$(1-λ)l_1l_2+λl_3^2=0$ for four values of $λ$");
+    svg_panel(s, svg_integer_window(-2, -3, 9, 6), 560, 0,
+              "$(1-λ)l_1l_2+λl_3^2=0$ for four values of $λ$,\nthe lines written as determinants of their points");
     svg_area(s, 3, R, SVG_FILL);
     svg_line(s, svg_pair(R), svg_pair(R + 2), SVG_POLYGON);
     svg_line(s, svg_pair(R + 4), svg_pair(R + 2), SVG_POLYGON);

@@ -231,10 +231,11 @@ CLAIM(line_pair_carries_a_segment)
 :printed: A rational Bézier curve can represent polynomial curves, such as the longitudinal curves of a fuselage, and can represent conic
   sections, such as its cross sections; the two can be programmed in one way.
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor tangent_conics_are_rational_quadratics conics_touching_two_lines_are_limings
-  bernstein_sum_of_powers_is_a_power
+  every_point_of_the_arc_is_reached bernstein_sum_of_powers_is_a_power
 :confirmed-by: rational_form_contains_the_polynomial_one
 :argued: | About any point of an ellipse, parabola or hyperbola there are two tangents that meet, and the short arc between their points is inside the
-  triangle of these and of the point where they meet.
+  triangle of these and of the point where they meet.  There $xy>0$, so $\nu/\mu<0$ and the three weights are positive, and with $\lambda/(1-\lambda)=-\nu/\mu$ the
+  curve reaches every point of the arc.
 :meant: the examples, which are arcs of such curves | To represent a curve is to run through an arc of it.
 :figure: polynomial_on_conics
 
@@ -285,7 +286,7 @@ CLAIM(rational_form_contains_the_polynomial_one)
 :then: the rational quadratic with the points $R_i$ and the weights $1,1,-4\nu/\mu$ lies on it
 :method: In the frame $R_0=(1,0)$, $R_1=(0,0)$, $R_2=(0,1)$, at a variable $t$, with $\mu$ and $\nu$ variables.  By
   `conics_touching_two_lines_are_limings` these are all conics that touch $R_1R_0$ in $R_0$ and $R_1R_2$ in
-  $R_2$, apart from the two lines and the double line.  Where the arc is inside the triangle $xy>0$, so
+  $R_2$, apart from the two lines and the double line.  Where an arc is inside the triangle $xy>0$, so
   $\nu/\mu<0$, and the three weights are positive.
 :over: m: μ; k: ν
 :control: the last weight $-2\nu/\mu$
@@ -313,8 +314,8 @@ CLAIM(tangent_conics_are_rational_quadratics)
 :printed: the references 1 to 10
 :holds-by: each_of_ten_references_is_cited_once
 
-Rowin, Coons, Ball, Forrest, Farin, Pigel and 刘鼎元 are named in the opening with the numbers 1 to 7, Liming with 8, the rule of Descartes with 9 and the genus with
-10.  Reference 1 is of the Boeing Company, printed Beoing; the report of reference 2, of 1967, is on space forms, printed figures; reference 3 is about the
+Rowin, Coons, Ball, Forrest, Farin, Pigel and 刘鼎元 are named in the opening with the numbers 1 to 7, Liming with 8, which is the book of Faux and Pratt, the rule of
+Descartes with 9 and the genus with 10.  Reference 1 is of the Boeing Company, printed Beoing; the report of reference 2, of 1967, is on space forms, printed figures; reference 3 is about the
 conic lofting tile, printed title; reference 4 is in number 4 of its volume, printed 2; the author of reference 6 is Piegl, printed Pigel here and in the opening.
 :::
 
