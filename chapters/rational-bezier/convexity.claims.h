@@ -50,14 +50,15 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :hypothesis: curve_of_a_polygon_that_turns_back_has_inflections | the polygon, closed by its chord, runs through the
   boundary of a convex region once.  By the letter of definition 4.2.1 of the same book, the only one at hand, its
   points need only be part of the boundary.
-:argued: | Three vertices of a convex polygon, taken in order, turn left or are on one line, $D_{ijk}\ge0$, and not all $D_{ijk}$ are $0$; so, as $\omega(t)>0$, three points of the curve turn left
+:argued: | Let the polygon run counterclockwise; otherwise all is mirrored.  Three of its vertices, taken in order, turn left or are on one line, $D_{ijk}\ge0$, and, the
+  region having inner points, not all $D_{ijk}$ are $0$; so, as $\omega(t)>0$, three points of the curve turn left
   whenever their parameters are in order; so the curve, closed by its chord, runs through the boundary of its hull once.
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
 :meant: definition 4.2.1 of the same book, the only one at hand: the boundary of a convex set or part of it | A polygon is convex if with its chord it
   bounds a convex region, the hypothesis; one that only turns to one side is not meant.
 :figure: convex_polygon_convex_curve
 
-The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).
+The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).  Where all vertices are on one line the curve is a segment of it.
 :::
 
 For the curvature the determinant is that of three Bernstein functions and their first two derivatives.  Divided by
