@@ -215,6 +215,9 @@ believed.
 :printed: \mathbf R''(0)=n(n-1)\,\omega_2\mathbf a_2/\omega_0+f_1\mathbf a_1
 :holds-by: derivative_vectors_at_zero_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
+
+The source takes this value from its formula for $\mathbf R''$.  It is that of the formula as corrected in `wang-ch3:prop-3.2.4-step-2`; the printed one has
+$(\omega''(0)-\omega'(0))\mathbf R_0/\omega_0$ more.
 :::
 
 :::{statement} wang-ch3:prop-3.2.4-step-6
