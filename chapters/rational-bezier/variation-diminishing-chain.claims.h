@@ -421,7 +421,7 @@ just this change.
 :then: $q$ has at most $V[c_0,\dots,c_n]$ positive roots, counted with multiplicity
 :method: If all $c_m\ne0$ have one sign there is no positive root.  Otherwise let $i$ be the index just before the first change
   of sign and $\alpha=i+\frac12$.  The function $s^{-\alpha}q(s)$ has the positive roots of $q$, and its derivative is
-  $s^{-\alpha-1}\sum(m-\alpha)c_ms^m$; by Rolle's theorem, multiplicities counted, it has at least one root fewer.  The
+  $s^{-\alpha-1}\sum(m-\alpha)c_ms^m$; by Rolle's theorem, multiplicities counted, it has at most one root fewer.  The
   sequence $(m-\alpha)c_m$ is decided to have exactly one change of sign fewer than the $c_m$, for every pattern of signs; so
   the rule follows by induction on $V$.  For every $n$: up to the index $i$ all signs are reversed, behind it they stay.
 :degrees: 1..8
