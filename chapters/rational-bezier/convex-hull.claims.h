@@ -7,6 +7,8 @@ make a point of the convex hull; this is the whole proof, and positive weights a
 #include "exact/record/hull.h"
 #include "exact/record/roots.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 
 /*
@@ -336,7 +338,7 @@ CLAIM(no_hull_property_with_weights_of_both_signs)
     num total = add(W, mul(B, own)), mean = div(mul(B, own), total);
     about(T, "R(t) ω(t)");
     same(T, mul(mean, total), neg(mul(B, v)));
-    nonnegative(T, neg(mul(mean, total)));
+    G(must_be_positive)(T, neg(mul(mean, total)));
 #if !FIELD
     int n = pick(T, 1, 8), i = pick(T, 0, n);
     num w[MAX_DEGREE + 1], R[MAX_DEGREE + 1], t = inside(T, "s"), point;

@@ -329,7 +329,7 @@ corner $R_i$.
 :title: Elevation cuts the corners of the polygon
 :zh: 升阶的几何意义是割角
 :printed: Geometrically (3.2.9) again means that the corners of the B-net are cut.
-:holds-by: elevation_cuts_corners
+:holds-by: elevation_cuts_corners numbers_outside_the_polygon_do_not_matter
 :needs: elevated_vertex_may_leave_the_edge | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; otherwise the new vertex may lie outside the edge
 :figure: elevation_mixed_weights
@@ -427,7 +427,7 @@ large weight $\omega_{i-1}$ draws the new vertex towards $R_{i-1}$; how far, the
 :given: positive $\omega'=\omega_{i-1}$, $\omega=\omega_i$; $1\le i\le n$, $k=n+1-i$
 :let: $a(i,k,\omega',\omega)=\frac{i\omega'}{i\omega'+k\omega}$, the coefficient of $R_{i-1}$ in $\hat R_i$
 :then: $a-\frac i{n+1}=\frac{ik(\omega'-\omega)}{(n+1)(i\omega'+k\omega)}$; $a$ grows when $\omega'$ grows, and when the
-  number $i$ of the edge grows in the same degree; $a$ does not change when both weights are multiplied by one number
+  number $i$ of the edge grows in the same degree, the two weights being the same; $a$ does not change when both weights are multiplied by one number
 :method: Identities in the field with $i$, $k$, $\omega'$, $\omega$ and the increments variables; the differences have only
   positive coefficients.
 :degrees: all
@@ -582,6 +582,8 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 
 The convergence is uniform and of order $1/N$, not better: for the parabola $y=x^2$ the $i$-th vertex is exactly
 $x(1-x)/(N-1)$ below the curve at $x=i/N$ (`elevated_parabola_misses_by_one_over_degree`); `elevated_polygons_within_their_bound` compares other curves with the bound.
+Weights of both signs with $\omega(t)>0$ on $[0,1]$ only delay the convergence: by the same estimate, with $\omega$ for $f$, all weights of a high degree are positive,
+and at most finitely many polygons lack a vertex (`mixed_weights_become_positive` is an example).
 :::
 
 First the coefficients of a power of $t$ in degree $N$.  They are written down and proved by raising them once more.
@@ -842,7 +844,7 @@ $1-2i/N$, and in every even degree one of these is the value at the zero.
 
 :::{claim} elevation_fails_at_a_pole
 :title: If the denominator vanishes, an elevated polygon may lack a vertex
-:zh: 分母有零点时, 升阶多边形不存在
+:zh: 分母有零点时, 升阶多边形可缺顶点
 :kind: counterexample
 :data: ω = 1 -1; t = 1/2; N = 20
 :instead: ω = 1 1

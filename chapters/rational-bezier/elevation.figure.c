@@ -88,8 +88,7 @@ FIGURE(elevation_mixed_weights)
     data_of("elevated_vertex_may_be_at_infinity", "ω", 3, 1, p.w);
     struct polygon r = raised(p, 5), far = raised(p, 12);
     svg_panel(s, svg_integer_window(-4, -4, 4, 2), 360, 0,
-              "weights $2, -1, 2$: polygons of degree 3 and 4 do not exist,\ntheir vertices being at infinity; from "
-              "degree 5 on they do");
+              "weights $2, -1, 2$: vertices of degree 3 and 4\nare at infinity; from degree 5 on all exist");
     svg_heading(s, SVG_WRONG, "elevation can be repeated for ever");
     draw_triangle(s, p);
     svg_polyline(s, r.n + 1, r.R, SVG_FAMILY);

@@ -215,6 +215,9 @@ believed.
 :printed: \mathbf R''(0)=n(n-1)\,\omega_2\mathbf a_2/\omega_0+f_1\mathbf a_1
 :holds-by: derivative_vectors_at_zero_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
+
+The source takes this value from its formula for $\mathbf R''$.  It is that of the formula as corrected in `wang-ch3:prop-3.2.4-step-2`; the printed one has
+$(\omega''(0)-\omega'(0))\mathbf R_0/\omega_0$ more.
 :::
 
 :::{statement} wang-ch3:prop-3.2.4-step-6
@@ -402,7 +405,8 @@ Nothing of $f_1$, $g_1$, $g_2$ is used but that they are numbers.
 :then: $\kappa^2$ and $\tau$ of these are $\left(\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\right)^2\frac{|a_1\times a_2|^2}{|a_1|^6}$ and
   $\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(a_1,a_2,a_3)}{|a_1\times a_2|^2}$
 :method: Equality in the field in which $n$, the weights, the coordinates, the products and $f_1,g_1,g_2$ are variables.  The area $|a_1\times a_2|^2$ is
-  $|a_1|^2|a_2|^2-(a_1\cdot a_2)^2$ in any dimension.
+  $|a_1|^2|a_2|^2-(a_1\cdot a_2)^2$ in any dimension.  The quotients exist where $a_1$ is not $0$; that of the torsion where $a_1\times a_2$ is not $0$
+  and $n>1$, for a segment has no torsion.
 :degrees: all
 :where: $\omega_0\omega_1\omega_2\ne0$
 :over: n: -; x# y# z#: edges; f# g# p q r: -
@@ -465,7 +469,8 @@ CLAIM(curvature_and_torsion_follow_at_zero_in_every_degree) { G(compare_end_curv
   $R'''=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+g_2a_{n-1}+g_1a_n$
 :then: $\kappa^2$ and $\tau$ of these are $\left(\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\right)^2\frac{|a_{n-1}\times a_n|^2}{|a_n|^6}$ and
   $\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(a_{n-2},a_{n-1},a_n)}{|a_{n-1}\times a_n|^2}$
-:method: As at the beginning of the curve, with the other sign of the second derivative and the mixed product in the order printed.
+:method: As at the beginning of the curve, with the other sign of the second derivative and the mixed product in the order printed.  The quotients exist
+  where $a_n$ is not $0$; that of the torsion where $a_{n-1}\times a_n$ is not $0$ and $n>1$.
 :degrees: all
 :where: $\omega_{n-2}\omega_{n-1}\omega_n\ne0$
 :over: n: -; x# y# z#: edges; f# g# p q r: -

@@ -223,7 +223,7 @@ CLAIM(end_on_the_line_is_no_interior_root)
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power ratio_is_an_increasing_bijection
 :confirmed-by: numerator_in_powers_of_the_ratio
 
-The range is that in which the chain counts the roots of both sides.
+The range is that in which the chain counts the roots of both sides; there it is printed as $0<t<l$ (`wang-ch3:prop-3.2.7-notation`).
 :::
 
 :::{claim} numerator_in_powers_of_the_ratio
@@ -421,7 +421,7 @@ just this change.
 :then: $q$ has at most $V[c_0,\dots,c_n]$ positive roots, counted with multiplicity
 :method: If all $c_m\ne0$ have one sign there is no positive root.  Otherwise let $i$ be the index just before the first change
   of sign and $\alpha=i+\frac12$.  The function $s^{-\alpha}q(s)$ has the positive roots of $q$, and its derivative is
-  $s^{-\alpha-1}\sum(m-\alpha)c_ms^m$; by Rolle's theorem, multiplicities counted, it has at least one root fewer.  The
+  $s^{-\alpha-1}\sum(m-\alpha)c_ms^m$; by Rolle's theorem, multiplicities counted, it has at most one root fewer.  The
   sequence $(m-\alpha)c_m$ is decided to have exactly one change of sign fewer than the $c_m$, for every pattern of signs; so
   the rule follows by induction on $V$.  For every $n$: up to the index $i$ all signs are reversed, behind it they stay.
 :degrees: 1..8
@@ -578,7 +578,7 @@ CLAIM(mixed_weights_change_sign_changes)
 :given: all patterns $y_i\in\{-1,0,1\}$, the polygon with vertices $(i,y_i)$ and the line $y=0$
 :let: $V$ the number of changes of sign, where zeros are left out
 :then: $V[y_0,\dots,y_n]$ is the number of times that a point which runs along the polygon changes sides
-:method: Between its quarters an edge of these polygons meets the line at most once; the sides of the points at $\frac14$ and
+:method: Between its quarters an edge of these polygons that is not on the line meets it at most once; the sides of the points at $\frac14$ and
   $\frac34$ of every edge, none of which is an isolated point on the line, are read one after the other.  Compared with
   $V$ and with the count of `exact/decide/crossings.h`.  Heights of other size but the same signs change the sides of the edges in the same way, since
   the height along an edge is linear.

@@ -285,7 +285,8 @@ CLAIM(mixed_weights_cross_more)
   averages_between_neighbours_keep_sign_changes
 :confirmed-by: designed_curves_cross_no_more designed_curves_meet_no_more
 
-The symbol $Z$ has no place for the interval $(a,b)$ in the text at hand.
+The symbol $Z$ has no place for the interval $(a,b)$ in the text at hand.  Whether a multiple root counts once or as often as its multiplicity is not said; no
+step of the chain depends on it.
 :::
 */
 
