@@ -20,7 +20,7 @@ other points and weights, and with them other quotients.
 :printed: The quantities $I_i$, $i=1,2,\dots,n-1$, of (3.2.12) are called the invariants of the rational Bézier curve (3.2.2) of degree $n$ under the
   shape-preserving fractional linear transformation (3.2.10).
 :definition: yes
-:checked-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term
+:checked-by: equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change equal_invariants_give_same_curve
 :needs: equal_invariants_can_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $au+b(1-u)\ne0$: positive weights give it, as $a,b>0$; otherwise the denominator can vanish inside $[0,1]$
@@ -104,7 +104,7 @@ CLAIM(equal_invariants_can_make_a_pole)
 :meant: the words intrinsic and geometric | They belong to the curve, as a map or as a set of points run through in one direction, and not only to the points and weights that
   describe it; this asks for the three hypotheses.
 :holds-by: equal_invariants_mean_geometric_ratios projective_change_of_unit_interval_is_fractional
-  fractional_change_term_by_term
+  factors_make_a_geometric_sequence fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change fractional_change_keeps_curve reversal_exchanges_invariants
 :hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor:
   otherwise one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
@@ -346,8 +346,8 @@ CLAIM(first_invariant_is_the_tangent_ratio)
 :zh: 不变量相等时形状相同而参数分布不同
 :printed: When $I_i=I_i^*$, $i=1,2,\dots,n-1$, the curves (3.2.2) and (3.2.13) have the same shape, and only the
   parameter is distributed differently along the curve.
-:holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
-  fractional_change_runs_once
+:holds-by: equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence fractional_change_term_by_term
+  larger_numbers_have_larger_powers fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive
