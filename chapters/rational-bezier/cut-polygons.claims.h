@@ -25,8 +25,8 @@ projection to points of space, which divides by weights; it does no harm as long
   weights are positive
 :argued: | Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the
 largest of the curve itself; polygon and curve are then at most $\frac{n^2}4h^2M$ apart, at equal parameters; and as
-no weight falls below the least $\omega_i$, the projection to points of space multiplies this by a constant.  At a
-fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$, which tends to 0.
+no weight falls below the least $\omega_i$, the projection to points of space multiplies this by a constant; the image of a homogeneous
+edge is the edge of the polygon, run through at another speed.  At a fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$, which tends to 0.
 :figure: cut_polygons_converge
 
 Cut in the middle, the error of a quarter circle is divided by 4 in each of the steps computed (`quarter_circle_error_is_quartered`).
@@ -228,8 +228,9 @@ CLAIM(quarter_circle_error_is_quartered)
 #endif
 
 /*
-Two hypotheses stand behind the printed sentence without being said.  The pieces have to become short: that each step
-cuts every piece is not enough, if the ratios may change.  And the weights have to stay away from 0.
+Two hypotheses stand behind the printed sentence.  The first is not said: the pieces have to become short; that each step
+cuts every piece is not enough, if the ratios may change.  The second is that of the whole chapter: the weights are positive, so that those of the
+pieces stay away from 0.
 
 :::{claim} crowded_cuts_do_not_converge
 :title: Cuts that crowd one end leave a piece of length above 1/2 for ever

@@ -155,7 +155,7 @@ CLAIM(fractional_change_keeps_curve)
 :::{claim} fractional_change_term_by_term
 :title: Each Bernstein term keeps its shape, in every degree
 :zh: 逐项变换:任意次数
-:given: any $a,b,u$ with $D=au+b(1-u)\ne0$; a product $E$ of powers of $D$ and a product $F$ of as many factors $t$ and $1-t$; $C$ a binomial coefficient
+:given: any $a,b,u$ with $D=au+b(1-u)\ne0$; a power $E$ of $D$ and a product $F$ of as many factors, each $t$ or $1-t$; $C$ a binomial coefficient
 :where: $au+b(1-u)\ne0$
 :let: $t=au/D$
 :then: $Dt=au$ and $D(1-t)=b(1-u)$; so $(ED)(Ft)=EF\cdot au$ and $(ED)(F(1-t))=EF\cdot b(1-u)$, and the same times $C\omega_i$ and times $C\omega_iR_i$
@@ -173,7 +173,7 @@ CLAIM(fractional_change_term_by_term)
     num ahead = mul(fault(T, a, b), u), behind = mul(fault(T, b, a), sub(one, u));
     num D = add(mul(a, u), mul(b, sub(one, u))), t = G(old_parameter)(a, b, u), rest = sub(one, t);
 #if !FIELD
-    int index = pick(T, 0, 6), degree = index + pick(T, 1, 6);
+    int index = pick(T, 0, 6), degree = index + pick(T, 0, 6);
     num old[MAX_DEGREE + 1], new[MAX_DEGREE + 1];
     about(T, "D^n B_i^n(t) = a^i b^(n-i) B_i^n(u)");
     G(bernstein_basis)(degree, t, old);
