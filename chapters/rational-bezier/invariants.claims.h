@@ -114,6 +114,7 @@ CLAIM(equal_invariants_can_make_a_pole)
   parameter, complex ones included; otherwise two curves with one point set, the same points and no common factor differ in
   $I_i$
 :reading: equal_invariants_mean_geometric_ratios | belonging to the points and weights, up to (3.2.10)
+:reading-with: factors_make_a_geometric_sequence fractional_change_term_by_term
 :reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a set of points, without the hypotheses; the example is
   an arc of a parabola written as a cubic
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
