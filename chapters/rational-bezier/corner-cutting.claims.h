@@ -95,7 +95,8 @@ CLAIM(equal_weights_give_polynomial_triangle)
 :title: Evaluation by recursion, and the construction of a point
 :zh: 递归求值与作图
 :printed: From it one can also derive the recursive formula of evaluation of rational Bézier curves and the theorem of their geometric construction.
-:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
+:holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power weighted_points_are_cut_like_the_weights
+  cut_coefficients_are_convex
 :confirmed-by: triangle_ends_on_the_curve triangle_level_by_level
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: otherwise a point of the construction may be missing
@@ -156,7 +157,8 @@ have a pole for that.
 :title: Geometrically the theorem cuts corners, level after level
 :zh: 几何意义:递归割角
 :printed: Hence the geometric meaning of the theorem is again recursive corner cutting.
-:holds-by: cut_coefficients_are_convex triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:holds-by: cut_coefficients_are_convex weighted_points_are_cut_like_the_weights triangle_of_powers_consists_of_powers
+  bernstein_sum_of_powers_is_a_power
 :confirmed-by: triangle_level_by_level
 :needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
@@ -248,7 +250,7 @@ CLAIM(negative_weight_breaks_convexity)
     num lambda = given(T, "λ");
     int zeros = count_roots_line(poly_from_bernstein(2, w)).distinct;
     found_whole(T, "real zeros of ω(t)", zeros);
-    agree(T, zeros == 0);
+    agree(T, zeros == 0 && sign_q(w[0]) > 0);
     for (int k = 0; k < 2; k++) {
         num unit[3] = {from_int(k == 0), from_int(k == 1), from_int(0)};
         G(rational_casteljau)(2, 1, unit, w, lambda, 1, P, v);
@@ -273,8 +275,8 @@ strip still serves, and they are found by asking when two neighbouring edges are
   polygon, the number $i$ of the edge and the weights $\omega_i$.
 :holds-by: cut_depends_on_level_edge_and_weights
 :example: that a number depends on something is shown by one instance in which it changes with that alone; here there is one for each of parameter, level, edge and weights.
-:reading: geometric_weights_cut_evenly | for exactly the geometric weights $\omega_i=\omega_0q^i$, equal ones among
-  them, it is as for polynomials: one ratio on all edges of all levels
+:reading: geometric_weights_cut_evenly | for which weights it is so: the edge matters, on level 1 already, for all but the geometric weights
+  $\omega_i=\omega_0q^i$; for these, equal ones among them, it is as for polynomials: one ratio on all edges of all levels
 :::
 
 :::{claim} cut_depends_on_level_edge_and_weights

@@ -16,17 +16,19 @@ projection to points of space, which divides by weights; it does no harm as long
 :zh: 离散割角多边形序列一致收敛到原曲线
 :printed: In the same way it can be proved that the sequence of the cut polygons of a subdivided rational Bézier curve converges uniformly to the
   curve.
-:holds-by: differences_over_a_part_are_means polygon_and_curve_are_near_the_chord near_homogeneous_points_are_near
-  cut_coefficients_are_convex
+:holds-by: differences_over_a_part_are_means bernstein_sum_of_powers_is_a_power polygon_and_curve_are_near_the_chord
+  near_homogeneous_points_are_near cut_coefficients_are_convex weighted_points_are_cut_like_the_weights
+  triangle_of_powers_consists_of_powers change_of_parameter_acts_on_one_factor
 :confirmed-by: second_differences_shrink_quadratically quarter_circle_error_is_quartered
 :hypothesis: crowded_cuts_do_not_converge | the pieces become short: as at a fixed ratio; with a new ratio in every step a piece
   may stay long for ever
 :needs: linear_weights_of_both_signs_have_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
   weights are positive
-:argued: | Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the
-largest of the curve itself; polygon and curve are then at most $\frac{n^2}4h^2M$ apart, at equal parameters; and as
-no weight falls below the least $\omega_i$, the projection to points of space multiplies this by a constant.  At a
-fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$, which tends to 0.
+:argued: | By theorem 3.3.1 the polygons, in homogeneous coordinates, are those of the pieces of one polynomial curve.  Let a piece have the parameter length $h$.  Its homogeneous second differences are at most $h^2M$, $M$ being the
+largest of the curve itself; polygon and curve are then at most $\frac{n^2}4h^2M$ apart, at equal parameters, where $\sum B_k^n(t)\frac kn=t$ is (6) of
+`change_of_parameter_acts_on_one_factor` with the differences $\frac1n,0,0,\dots$; and as
+no weight falls below the least $\omega_i$, the projection to points of space multiplies this by a constant; the image of a homogeneous
+edge is the edge of the polygon, run through at another speed.  At a fixed ratio $\lambda$ the longest piece after $k$ steps has the length $\max(\lambda,1-\lambda)^k$, which tends to 0.
 :figure: cut_polygons_converge
 
 Cut in the middle, the error of a quarter circle is divided by 4 in each of the steps computed (`quarter_circle_error_is_quartered`).
@@ -228,8 +230,9 @@ CLAIM(quarter_circle_error_is_quartered)
 #endif
 
 /*
-Two hypotheses stand behind the printed sentence without being said.  The pieces have to become short: that each step
-cuts every piece is not enough, if the ratios may change.  And the weights have to stay away from 0.
+Two hypotheses stand behind the printed sentence.  The first is not said: the pieces have to become short; that each step
+cuts every piece is not enough, if the ratios may change.  The second is that of the whole chapter: the weights are positive, so that those of the
+pieces stay away from 0.
 
 :::{claim} crowded_cuts_do_not_converge
 :title: Cuts that crowd one end leave a piece of length above 1/2 for ever

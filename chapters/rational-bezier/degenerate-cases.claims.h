@@ -20,7 +20,9 @@ arise so.
 :confirmed-by: equal_weights_give_polynomial_curve
 :meant: the words: for equal weights it degenerates | One direction; the converse is not said.
 :needs: weights_that_are_zero_have_no_curve | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the common weight is not 0
-:reading: polynomial_line_with_unequal_weights | read as "exactly when", which is not claimed
+:reading: polynomial_line_with_unequal_weights | "exactly when" it is a polynomial curve, of whatever points: not claimed
+:reading: products_of_coefficients_are_not_those_of_the_product | "exactly when" it is the Bézier curve of its own points $R_i$: not claimed either, but true unless all points
+  coincide
 :figure: equal_weights
 
 Besides $\omega>0$ any $\omega\ne0$ will do.
@@ -89,6 +91,71 @@ CLAIM(polynomial_line_with_unequal_weights)
         same(T, w[1], w[0]);
 }
 
+#endif
+
+/*
+With the points kept it is otherwise.  If the curve is the Bézier curve of its own points, the products $\omega_iR_i$ are the coefficients of the product
+of two polynomials, whose coefficients are $\omega_i$ and $R_i$.
+
+:::{claim} products_of_coefficients_are_not_those_of_the_product
+:title: A curve that is the Bézier curve of its own points has equal weights, or one point only, in every degree
+:zh: 与自身控制顶点的 Bézier 曲线相同则权相等或顶点全重合(任意次数)
+:given: polynomials $\omega(t)$ and $B(t)$ of the degrees $p,q\ge1$, $p+q\le n$, with the leading coefficients $\alpha$, $\beta$ and the Bernstein coefficients $\omega_i$, $R_i$ of the degree $n$
+:harmless: of the degrees $p,q\ge1$, $p+q\le n$ | for $p=0$ the weights are equal, for $q=0$ the points; $p+q$ is the degree of a polynomial with $n+1$ coefficients
+:then: as functions of $i$ the products $\omega_iR_i$ begin with $\frac{\alpha\beta}{(n)_p(n)_q}i^{p+q}$ and the coefficients of $\omega B$ with
+  $\frac{\alpha\beta}{(n)_{p+q}}i^{p+q}$, $(n)_m=n(n-1)\cdots(n-m+1)$; these are different, as $\frac{(n)_{p+q}}{(n)_p(n)_q}=\prod_{0\le j<q}\frac{n-p-j}{n-j}$ lies
+  between 0 and 1
+:method: The coefficients of $t^m$ are $\frac{i(i-1)\cdots(i-m+1)}{(n)_m}$.  If $\sum B_i^n(t)\omega_iR_i=\omega(t)B(t)$, one coordinate of the points being taken, then both functions of $i$, of a degree of
+  at most $n$, agree for $i=0,\dots,n$ and are one, and $p$ or $q$ is 0: the weights are equal, or the points.  In the field $0<\frac{n-p-j}{n-j}<1$ is decided with $p$ and $n-p-j$
+  variables; outside it the differences of the order $p+q$ of both functions are computed for random polynomials.
+:degrees: all
+:over: p r c# d#: -
+:control: $n-j$ for $n-p-j$
+:::
+*/
+#if !FIELD
+/* The difference of the highest order, m, of the first m+1 numbers. */
+static num G(last_difference)(int m, const num b[])
+{
+    num sum = from_int(0);
+    for (int i = 0; i <= m; i++)
+        sum = add(sum, mul(from_int((m - i) % 2 == 0 ? binomial(m, i) : -binomial(m, i)), b[i]));
+    return sum;
+}
+#endif
+
+CLAIM(products_of_coefficients_are_not_those_of_the_product)
+{
+    num one = from_int(1);
+#if FIELD
+    num p = whole(T, "p", 1, 3), rest = whole(T, "r", 1, 3), below = add(p, rest), above = fault(T, rest, below);
+    about(T, "a factor of the quotient");
+    G(must_be_positive)(T, div(above, below));
+    G(must_be_positive)(T, sub(one, div(above, below)));
+#else
+    enum { MOST = 9 };
+    int p = pick(T, 1, 3), q = pick(T, 1, 3), n = p + q + pick(T, 0, 3);
+    num c[MOST + 1], d[MOST + 1], e[MOST + 1], w[MOST + 1], R[MOST + 1], N[MOST + 1], quotient = one;
+    for (int k = 0; k <= n; k++) {
+        c[k] = k <= p ? unknown(T, "c", k) : from_int(0);
+        d[k] = k <= q ? unknown(T, "d", k) : from_int(0);
+        e[k] = from_int(0);
+        for (int l = 0; l <= k; l++)
+            e[k] = add(e[k], mul(c[l], d[k - l]));
+    }
+    G(bernstein_from_power)(n, c, w);
+    G(bernstein_from_power)(n, d, R);
+    G(bernstein_from_power)(n, e, N);
+    for (int i = 0; i <= n; i++)
+        w[i] = mul(w[i], R[i]);
+    for (int j = 0; j < q; j++)
+        quotient = mul(quotient, from_ratio(fault(T, n - p - j, n - j), n - j));
+    about(T, "the differences of the order p + q");
+    same(T, G(last_difference)(p + q, w), mul(quotient, G(last_difference)(p + q, N)));
+#endif
+}
+
+#if RATIONAL
 /*
 :::{claim} weights_that_are_zero_have_no_curve
 :title: With the weight 0 at every point there is no curve

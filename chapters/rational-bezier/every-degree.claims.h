@@ -489,15 +489,15 @@ CLAIM(end_direction_has_a_positive_factor)
 :zh: 子区间上的二阶差分(任意次数)
 :given: $b_i=Z^i$ over $[0,1]$, and the coefficients $D(u)^{n-i}D(v)^i$ of the same polynomial over $[u,v]$, $0\le u,v\le1$
 :let: $D(t)=1-t+tZ$; $\delta=Z-1$
-:then: $D(v)-D(u)=(v-u)\delta$, so that $\Delta^2b_i^{[u,v]}=D(u)^{n-2-i}D(v)^i\,(v-u)^2\delta^2$; multiplied by $D(u)$ or $D(v)$ a polynomial in
+:then: $D(u+x(v-u))=(1-x)D(u)+xD(v)$ for every $x$; $D(v)-D(u)=(v-u)\delta$, so that $\Delta^2b_i^{[u,v]}=D(u)^{n-2-i}D(v)^i\,(v-u)^2\delta^2$; multiplied by $D(u)$ or $D(v)$ a polynomial in
   $Z$ with coefficients that are not negative keeps such coefficients, and $D(u)=D(v)=1$ for $Z=1$
-:method: $\delta^2Z^j$ stands for $\Delta^2b_j$.  The product $D(u)^{n-2-i}D(v)^i$ has $n-2$ factors $1-u+uZ$, $1-v+vZ$, so it is $\sum_j\beta_{ij}Z^j$ with
-  $\beta_{ij}\ge0$ and $\sum_j\beta_{ij}=1$, for every $n$: $\Delta^2b_i^{[u,v]}=(v-u)^2\sum_j\beta_{ij}\Delta^2b_j$.  The first equation is computed in the field;
+:method: To the power $n$ the first equation says that the coefficients over $[u,v]$ are those given.  $\delta^2Z^j$ stands for $\Delta^2b_j$.  The product $D(u)^{n-2-i}D(v)^i$ has $n-2$ factors $1-u+uZ$, $1-v+vZ$, so it is $\sum_j\beta_{ij}Z^j$ with
+  $\beta_{ij}\ge0$ and $\sum_j\beta_{ij}=1$, for every $n$: $\Delta^2b_i^{[u,v]}=(v-u)^2\sum_j\beta_{ij}\Delta^2b_j$.  The first two equations are computed in the field;
   a coefficient of the product is $(1-u)p+uq$ with the coefficients $p$, $q$ of two neighbouring powers, for $u=0$ and $u=1$ as well.
 :degrees: all
 :scope: every interval of [0,1]
 :harmless: $0\le u,v\le1$ | these are the intervals of $[0,1]$
-:over: r s Z p q: -
+:over: r s Z p q x: -
 :control: $v+u$ for $v-u$
 :::
 */
@@ -506,9 +506,12 @@ CLAIM(differences_over_a_part_are_means)
     num one = from_int(1), Z = unknown(T, "Z", 0), u = inside(T, "r"), v = inside(T, "s"),
         place[3] = {u, from_int(0), one};
     num p = positive(T, "p", 0), q = positive(T, "q", 0);
-    num length = fault(T, sub(v, u), add(v, u));
+    num length = fault(T, sub(v, u), add(v, u)), x = unknown(T, "x", ALONE);
+    num start = G(factor_at)(u, Z), end = G(factor_at)(v, Z);
+    about(T, "the factor over the part");
+    same(T, G(factor_at)(add(u, mul(x, sub(v, u))), Z), add(mul(sub(one, x), start), mul(x, end)));
     about(T, "the difference of the two factors");
-    same(T, sub(G(factor_at)(v, Z), G(factor_at)(u, Z)), mul(length, sub(Z, one)));
+    same(T, sub(end, start), mul(length, sub(Z, one)));
     for (int k = 0; k < 3; k++) {
         about(T, "a coefficient of the product");
         nonnegative(T, add(mul(sub(one, place[k]), p), mul(place[k], q)));

@@ -20,7 +20,7 @@ other points and weights, and with them other quotients.
 :printed: The quantities $I_i$, $i=1,2,\dots,n-1$, of (3.2.12) are called the invariants of the rational Bézier curve (3.2.2) of degree $n$ under the
   shape-preserving fractional linear transformation (3.2.10).
 :definition: yes
-:checked-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term
+:checked-by: equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change equal_invariants_give_same_curve
 :needs: equal_invariants_can_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $au+b(1-u)\ne0$: positive weights give it, as $a,b>0$; otherwise the denominator can vanish inside $[0,1]$
@@ -104,7 +104,7 @@ CLAIM(equal_invariants_can_make_a_pole)
 :meant: the words intrinsic and geometric | They belong to the curve, as a map or as a set of points run through in one direction, and not only to the points and weights that
   describe it; this asks for the three hypotheses.
 :holds-by: equal_invariants_mean_geometric_ratios projective_change_of_unit_interval_is_fractional
-  fractional_change_term_by_term
+  factors_make_a_geometric_sequence fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change fractional_change_keeps_curve reversal_exchanges_invariants
 :hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor:
   otherwise one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
@@ -114,6 +114,7 @@ CLAIM(equal_invariants_can_make_a_pole)
   parameter, complex ones included; otherwise two curves with one point set, the same points and no common factor differ in
   $I_i$
 :reading: equal_invariants_mean_geometric_ratios | belonging to the points and weights, up to (3.2.10)
+:reading-with: factors_make_a_geometric_sequence fractional_change_term_by_term
 :reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a set of points, without the hypotheses; the example is
   an arc of a parabola written as a cubic
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
@@ -128,31 +129,6 @@ Run backwards, a curve has $I_{n-i}$ for $I_i$ (`reversal_exchanges_invariants`)
 */
 
 #if RATIONAL
-/* The curves of (R, ω) and of (R*, ω*) in the data, the first, where its weights are equal, found in powers of t, and
- * their quotients, which go to I and J; are they one map? */
-static int G(given_maps_agree)(trial *T, int n, int dim, int equal_weights, num I[], num J[])
-{
-    num R[8], w[4], S[8], v[4], b[4], power[4], P[8];
-    given_points(T, "R", n + 1, dim, R);
-    given_points(T, "ω", n + 1, 1, w);
-    given_points(T, "R*", n + 1, dim, S);
-    given_points(T, "ω*", n + 1, 1, v);
-    for (int c = 0; c < dim; c++) {
-        for (int i = 0; i <= n; i++)
-            b[i] = R[i * dim + c];
-        G(bernstein_to_power)(n, b, power);
-        for (int i = 0; i <= n; i++)
-            P[i * dim + c] = power[i];
-    }
-    if (equal_weights)
-        found_points(T, "R(t) in powers of t", n + 1, dim, P);
-    G(rational_invariants)(n, w, I);
-    G(rational_invariants)(n, v, J);
-    found_points(T, "I", n - 1, 1, I);
-    found_points(T, "I*", n - 1, 1, J);
-    return G(one_map)(n, dim, R, w, S, v);
-}
-
 /*
 That they belong to the curve is more.  If numerator and denominator have a common factor, the curve does not show it,
 but points and weights do.  The simplest case is a segment, written as a quadratic in two ways.
@@ -163,19 +139,31 @@ but points and weights do.  The simplest case is a segment, written as a quadrat
 :kind: decision
 :data: R = 0 1/4 1; ω = 1 2 3; R* = 0 1/3 1; ω* = 1 3/2 2
 :instead: ω* = 1 1 2
-:result: I = 4/3; I* = 9/8
+:result: I = 4/3; I* = 9/8; ω(t) = "2*t+1"; ω*(t) = "t+1"
 :given: $n=2$; the points $R$ with weights $\omega$, and the points $R^*$ with weights $\omega^*$
 :then: both curves are $R(t)=t$ for every $t$, but $I_1\ne I_1^*$
-:method: Numerator and denominator are $t$ and $1$ times $1+2t$, and times $1+t$, so of the degree $n$: the
-  cross products are compared as polynomials.
+:method: Numerator and denominator are $t$ and $1$ times $1+2t$, and times $1+t$, so of the degree $n$: the numerators are compared with $t$ times the
+  denominators as polynomials.
 :control: the middle one of the weights $\omega^*$ taken as $1$
 :::
 */
 CLAIM(same_map_on_a_line_has_two_invariants)
 {
-    num I[1], J[1];
-    agree(T, G(given_maps_agree)(T, 2, 1, 0, I, J));
-    agree(T, !equal_q(I[0], J[0]));
+    static const char *const name[2][4] = {{"R", "ω", "I", "ω(t)"}, {"R*", "ω*", "I*", "ω*(t)"}};
+    num I[2];
+    for (int k = 0; k < 2; k++) {
+        num R[3], w[3], x[3];
+        given_points(T, name[k][0], 3, 1, R);
+        given_points(T, name[k][1], 3, 1, w);
+        for (int i = 0; i < 3; i++)
+            x[i] = mul(w[i], R[i]);
+        poly below = poly_from_bernstein(2, w);
+        G(rational_invariants)(2, w, I + k);
+        found(T, name[k][2], I[k]);
+        found_text(T, name[k][3], poly_to_string(below, "t"));
+        agree(T, poly_equal(poly_from_bernstein(2, x), poly_mul(poly_variable(), below)));
+    }
+    agree(T, !equal_q(I[0], I[1]));
 }
 
 /*
@@ -198,10 +186,27 @@ $2$ to $3$ in two ways, once as it is and once multiplied by $1+t$, has two sets
 */
 CLAIM(same_parabola_has_two_invariant_sets)
 {
-    num I[2], J[2];
-    int one_map = G(given_maps_agree)(T, 3, 2, 1, I, J);
+    enum { n = 3, dim = 2 };
+    num R[dim * (n + 1)], w[n + 1], S[dim * (n + 1)], v[n + 1], I[n - 1], J[n - 1], b[n + 1], power[n + 1],
+        P[dim * (n + 1)];
+    given_points(T, "R", n + 1, dim, R);
+    given_points(T, "ω", n + 1, 1, w);
+    given_points(T, "R*", n + 1, dim, S);
+    given_points(T, "ω*", n + 1, 1, v);
+    for (int c = 0; c < dim; c++) {
+        for (int i = 0; i <= n; i++)
+            b[i] = R[i * dim + c];
+        G(bernstein_to_power)(n, b, power);
+        for (int i = 0; i <= n; i++)
+            P[i * dim + c] = power[i];
+    }
+    found_points(T, "R(t) in powers of t", n + 1, dim, P);
+    G(rational_invariants)(n, w, I);
+    G(rational_invariants)(n, v, J);
+    found_points(T, "I", n - 1, 1, I);
+    found_points(T, "I*", n - 1, 1, J);
     about(T, "I_1 of the two");
-    if (one_map)
+    if (G(one_map)(n, dim, R, w, S, v))
         same(T, I[0], J[0]);
 }
 
@@ -346,8 +351,8 @@ CLAIM(first_invariant_is_the_tangent_ratio)
 :zh: 不变量相等时形状相同而参数分布不同
 :printed: When $I_i=I_i^*$, $i=1,2,\dots,n-1$, the curves (3.2.2) and (3.2.13) have the same shape, and only the
   parameter is distributed differently along the curve.
-:holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
-  fractional_change_runs_once
+:holds-by: equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence fractional_change_term_by_term
+  larger_numbers_have_larger_powers fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive

@@ -155,7 +155,7 @@ CLAIM(fractional_change_keeps_curve)
 :::{claim} fractional_change_term_by_term
 :title: Each Bernstein term keeps its shape, in every degree
 :zh: 逐项变换:任意次数
-:given: any $a,b,u$ with $D=au+b(1-u)\ne0$; a product $E$ of powers of $D$ and a product $F$ of as many factors $t$ and $1-t$; $C$ a binomial coefficient
+:given: any $a,b,u$ with $D=au+b(1-u)\ne0$; a power $E$ of $D$ and a product $F$ of as many factors, each $t$ or $1-t$; $C$ a binomial coefficient
 :where: $au+b(1-u)\ne0$
 :let: $t=au/D$
 :then: $Dt=au$ and $D(1-t)=b(1-u)$; so $(ED)(Ft)=EF\cdot au$ and $(ED)(F(1-t))=EF\cdot b(1-u)$, and the same times $C\omega_i$ and times $C\omega_iR_i$
@@ -173,7 +173,7 @@ CLAIM(fractional_change_term_by_term)
     num ahead = mul(fault(T, a, b), u), behind = mul(fault(T, b, a), sub(one, u));
     num D = add(mul(a, u), mul(b, sub(one, u))), t = G(old_parameter)(a, b, u), rest = sub(one, t);
 #if !FIELD
-    int index = pick(T, 0, 6), degree = index + pick(T, 1, 6);
+    int index = pick(T, 0, 6), degree = index + pick(T, 0, 6);
     num old[MAX_DEGREE + 1], new[MAX_DEGREE + 1];
     about(T, "D^n B_i^n(t) = a^i b^(n-i) B_i^n(u)");
     G(bernstein_basis)(degree, t, old);
@@ -185,13 +185,15 @@ CLAIM(fractional_change_term_by_term)
     same(T, mul(D, t), ahead);
     same(T, mul(D, rest), behind);
     num E = unknown(T, "E", 0), F = unknown(T, "F", 0), product = mul(E, F), more = mul(E, D);
-    about(T, "one factor more");
-    same(T, mul(more, mul(F, t)), mul(product, ahead));
-    same(T, mul(more, mul(F, rest)), mul(product, behind));
-    num C = unknown(T, "C", 0), w = positive(T, "w", 0), x = unknown(T, "x", 0), term = mul(C, w);
-    about(T, "the same times the weight of the term, and times its point as well");
-    same(T, mul(term, mul(more, mul(F, t))), mul(term, mul(product, ahead)));
-    same(T, mul(mul(term, x), mul(more, mul(F, t))), mul(mul(term, x), mul(product, ahead)));
+    num C = unknown(T, "C", 0), w = positive(T, "w", 0), x = unknown(T, "x", 0),
+        scale[] = {from_int(1), mul(C, w), mul(mul(C, w), x)};
+    static const char *const of[] = {"one factor more", "the same times the weight of the term",
+                                     "the same times weight and point"};
+    for (int k = 0; k < 3; k++) {
+        about(T, of[k]);
+        same(T, mul(scale[k], mul(more, mul(F, t))), mul(scale[k], mul(product, ahead)));
+        same(T, mul(scale[k], mul(more, mul(F, rest))), mul(scale[k], mul(product, behind)));
+    }
 }
 
 /*
@@ -241,7 +243,7 @@ CLAIM(invariants_by_definition)
 :zh: 由首末权确定 a 与 b
 :printed: a=\sqrt[n]{\omega_n^{*}/\omega_n},\quad b=\sqrt[n]{\omega_0^{*}/\omega_0}
 :definition: yes
-:checked-by: equal_invariants_mean_geometric_ratios larger_numbers_have_larger_powers
+:checked-by: equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence larger_numbers_have_larger_powers
 :confirmed-by: end_weights_give_the_factors
 :needs: negated_weights_have_no_real_factors | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: otherwise, for even $n$, the roots need not be real
@@ -302,8 +304,8 @@ CLAIM(negated_weights_have_no_real_factors)
 :printed: As soon as $I_i=I_i^*$, $i=1,2,\dots,n-1$, (3.2.12), the curve (3.2.2) can be carried by (3.2.10) with (3.2.11)
   into the rational Bézier curve (3.2.13) of the same degree with the parameter $u$ and the weights $\omega_i^*$, whose control points and shape
   are the same.
-:holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
-  fractional_change_runs_once
+:holds-by: equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence fractional_change_term_by_term
+  larger_numbers_have_larger_powers fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve end_weights_give_the_factors
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: with a negative one the other arc of the conic has the same $I_1$
@@ -317,8 +319,8 @@ CLAIM(negated_weights_have_no_real_factors)
 :zh: 变换所得曲线
 :printed: The resulting curve is $\mathbf R^*(u)=\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i\Big/\sum_{i=0}^nB_i^n(u)\omega_i^*$, $0\le
   u\le1$.
-:holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
-  fractional_change_runs_once
+:holds-by: equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence fractional_change_term_by_term
+  larger_numbers_have_larger_powers fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: with a negative one the result may be the curve of other weights, the other arc of the conic
@@ -485,11 +487,44 @@ CLAIM(equal_invariants_mean_geometric_ratios)
 }
 
 /*
+The numbers $a$ and $b$ enter at the two ends of that sequence, $b^n$ at the first and $a^n$ at the last place.  What lies between them
+follows step by step.
+
+:::{claim} factors_make_a_geometric_sequence
+:title: From b^n to a^n the products of powers are a geometric sequence with the quotient a/b, in every degree
+:zh: 由 b^n 到 a^n 的幂积成公比为 a/b 的等比数列(任意次数)
+:given: $a$, $b$; $A=a^i$ and $bB=b^{n-i}$ for an index $i$ before $n$
+:let: $r_i=a^ib^{n-i}$
+:then: $b\,r_{i+1}=b\cdot aA\cdot B=a\cdot A\cdot bB=a\,r_i$
+:method: The step of an induction on $i$, which begins with $r_0=b^n$ and ends with $r_n=a^n$: with $q=a/b$ it is $r_i=b^nq^i$ for $i=0,\dots,n$.  With (3.2.11), where
+  $b^n=\omega_0^{*}/\omega_0$ and $a^n=\omega_n^{*}/\omega_n$, this says that $\omega_n^{*}/\omega_n=(\omega_0^{*}/\omega_0)q^n$, and that $\omega_i^{*}/\omega_i=(\omega_0^{*}/\omega_0)q^i$
+  is $a^ib^{n-i}\omega_i=\omega_i^*$.  Outside the field $n$ is a random integer, and all $b^nq^i$ are compared with the products of powers.
+:degrees: all
+:over: a b A B: -
+:control: $b/a$ for $a/b$
+:::
+*/
+CLAIM(factors_make_a_geometric_sequence)
+{
+    num a = positive(T, "a", 0), b = positive(T, "b", 0), A = unknown(T, "A", 0), B = unknown(T, "B", 0);
+    num above = fault(T, a, b), below = fault(T, b, a);
+    about(T, "from one index to the next");
+    same(T, mul(below, mul(mul(a, A), B)), mul(above, mul(A, mul(b, B))));
+#if !FIELD
+    int n = pick(T, 1, 9);
+    num ratio = G(power)(b, n);
+    about(T, "all terms from the first and the quotient");
+    for (int i = 0; i <= n; i++, ratio = div(mul(ratio, above), below))
+        same(T, ratio, mul(G(power)(a, i), G(power)(b, n - i)));
+#endif
+}
+
+/*
 :::{statement} wang-ch3:prop-3.2.10-quotient
 :title: The last ratio gives the common quotient
 :zh: 由末项求公比
 :printed: For $i=n$, (3.2.11) gives $q=a/b$
-:holds-by: larger_numbers_have_larger_powers
+:holds-by: factors_make_a_geometric_sequence larger_numbers_have_larger_powers
 :confirmed-by: equal_powers_of_positive_numbers
 :needs: quotient_is_lost_up_to_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; otherwise for even $n$ only $q=\pm a/b$
@@ -564,7 +599,7 @@ CLAIM(quotient_is_lost_up_to_sign)
 :title: The factors carry the old weights into the new ones
 :zh: 因子把旧权变为新权
 :printed: Hence $a^ib^{n-i}\omega_i=\omega_i^*$, which shows that (3.2.14) is (3.2.13).
-:holds-by: equal_invariants_mean_geometric_ratios larger_numbers_have_larger_powers
+:holds-by: equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence larger_numbers_have_larger_powers
 :confirmed-by: end_weights_give_the_factors
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: with a negative one the two sides may differ in their sign

@@ -27,7 +27,8 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :holds-by: backward_run_flattens_the_first_edges derivative_vectors_at_zero_in_every_degree derivative_vectors_at_one_in_every_degree
   curvature_and_torsion_follow_at_zero_in_every_degree curvature_and_torsion_follow_at_one_in_every_degree
   factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
-  equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers fractional_change_runs_once
+  equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence fractional_change_term_by_term
+  larger_numbers_have_larger_powers fractional_change_runs_once
   bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor mean_grows_by_one_term weight_can_be_divided_out
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants equal_invariants_give_same_curve
   plane_cubic_cannot_run_backwards congruent_curves_beyond_cubics
@@ -55,13 +56,16 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :argued: | (2) They have one direction.  If $\varphi$ exchanged $0$ and $1$, then $R_0=R_n$, $a_1\parallel a_n$, and for $n=5$ the planes of $a_1,a_2$ and of $a_{n-1},a_n$ would
   be one; by `backward_run_flattens_the_first_edges` the first edges would then be dependent, against the hypothesis.
 :argued: | (3) Only if: curvature and torsion agree at corresponding ends.  By the claims they determine $I_1$, $I_1I_2$, $I_{n-1}$, $I_{n-2}I_{n-1}$, as $a_1\times a_2$ and, for $n\ge3$,
-  $(a_1,a_2,a_3)$ are not 0, and so at the other end: for $n\le5$ these give every invariant.  If: this is property 3.2.10, by `equal_invariants_mean_geometric_ratios`, `fractional_change_term_by_term`,
+  $(a_1,a_2,a_3)$ are not 0, and so at the other end: for $n\le5$ these give every invariant.  If: this is property 3.2.10, by `equal_invariants_mean_geometric_ratios`, `factors_make_a_geometric_sequence`, `fractional_change_term_by_term`,
   `larger_numbers_have_larger_powers` and `fractional_change_runs_once`, and needs nothing but positive weights.
 :figure: shape_and_invariants
 
 For $n=3$ the edges may be coplanar, when at both ends three points are not collinear: $T$ is on no line, as its points $R_i$ would be on that line, too; its algebraic
 curve has the degree 2 or 3, and a degree of at most 3 that is a multiple of it is equal to it.  So both curves are proper, by
 `plane_cubic_cannot_run_backwards` they have one direction, and the curvatures at the two ends give $I_1$ and $I_2$.
+
+For $n=4$ three edges that are not coplanar at one end are enough, when at both ends three points are not collinear: with them $T$ is in no plane and the direction is known as above, from that end; the curvatures give
+$I_1$ and $I_3$, and the torsion at that end gives $I_2$.
 :::
 */
 
@@ -549,8 +553,8 @@ the other end to symmetry.
 :title: One direction is property 3.2.10
 :zh: 充分性即性质 3.2.10
 :printed: The sufficiency is property 3.2.10.
-:holds-by: equal_invariants_mean_geometric_ratios fractional_change_term_by_term larger_numbers_have_larger_powers
-  fractional_change_runs_once
+:holds-by: equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence fractional_change_term_by_term
+  larger_numbers_have_larger_powers fractional_change_runs_once
 :confirmed-by: equal_invariants_give_same_curve
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive
