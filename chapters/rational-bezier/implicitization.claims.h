@@ -410,7 +410,8 @@ elsewhere gives a point off the arc, or no point at all.
 :confirmed-by: equations_of_a_point nonnegative_common_roots_are_the_points
 :figure: implicit_points
 
-By (3.4.3) $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$; $a_0=b_0=0$ says $x=x_0$, $y=y_0$, as $\omega_0\ne0$.  Only the direction from the curve to the common root is
+By (3.4.3) $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$; $a_0=b_0=0$ says $x=x_0$, $y=y_0$, as $\omega_0\ne0$, and $\mathbf R_0$ is the point of $t=a$, where
+of the Bernstein sums only the first terms are left.  Only the direction from the curve to the common root is
 used in the proof, and that one is right.
 :::
 
@@ -657,6 +658,8 @@ determinant is identically 0.
 :reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs none of the hypotheses on weights and common zeros | At such a
   point, other than $\mathbf R_0$, the sums of (3.4.5) are 0; a square matrix that takes a vector that is not 0 to 0 has the determinant 0.  At
   $\mathbf R_0$, which is the point of no $u$, the first column is 0.
+:reading-with: sums_are_the_denominator_times_a_difference parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor
+  bernstein_sum_of_powers_is_a_power
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve and no others; but a point of a parameter outside of the interval may
   be one
 :figure: implicit_elevation
