@@ -157,7 +157,7 @@ the equation.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
   top_form_is_a_resultant_row_by_row bernstein_sum_of_powers_is_a_power
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
-:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
+:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$ its first column is 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
 :hypothesis: elevated_curve_has_no_equation | the curve has no base point: the two numerators and the denominator of (3.4.4) have no common zero, real, complex
   or $u=\infty$; else $F$ may be 0 and theorem 3.4.2 says nothing

@@ -401,6 +401,7 @@ elsewhere gives a point off the arc, or no point at all.
 :class: missing-hypothesis
 :reading: positive_denominator_times_a_difference | a common root $u\ge0$, the range of (3.4.4) being carried over to (3.4.5): then it is right for positive weights | By (3.4.3)
   the parameter $u=\frac{b-t}{t-a}$ runs once through $[0,\infty)$ while $t$ runs through $(a,b]$; the point of $t=a$ is that of $a_0=b_0=0$.
+:reading-with: parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :reading: common_root_of_a_point_off_the_arc | a common root, as it is printed, real or complex
 :refuted-by: common_root_of_a_point_off_the_arc common_root_of_an_isolated_point
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
