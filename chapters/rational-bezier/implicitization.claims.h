@@ -165,7 +165,7 @@ CLAIM(parameter_change_needs_two_ends)
 :printed: (3.4.3) gives $\mathbf R(t)=(x,y)=\Bigl(\frac{\sum_{i=0}^n\binom ni\omega_ix_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}},
   \frac{\sum_{i=0}^n\binom ni\omega_iy_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}}\Bigr)$, $0\le u\le+\infty$.
 :holds-by: parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
-  quotients_of_large_parameters_lead_to_the_first_point
+  quotients_of_large_parameters_lead_to_the_first_point positive_denominator_times_a_difference
 :confirmed-by: curve_in_the_new_parameter
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that the denominator does not vanish for $u\ge0$
@@ -402,12 +402,13 @@ elsewhere gives a point off the arc, or no point at all.
 :reading: positive_denominator_times_a_difference | a common root $u\ge0$, the range of (3.4.4) being carried over to (3.4.5): then it is right for positive weights | By (3.4.3)
   the parameter $u=\frac{b-t}{t-a}$ runs once through $[0,\infty)$ while $t$ runs through $(a,b]$; the point of $t=a$ is that of $a_0=b_0=0$.
 :reading-with: parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+  quotients_of_large_parameters_lead_to_the_first_point
 :reading: common_root_of_a_point_off_the_arc | a common root, as it is printed, real or complex
 :refuted-by: common_root_of_a_point_off_the_arc common_root_of_an_isolated_point
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
   $u\ge0$, or $a_0=b_0=0$
 :corrected-by: parameter_change_and_its_inverse positive_denominator_times_a_difference
-  change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+  change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power quotients_of_large_parameters_lead_to_the_first_point
 :confirmed-by: equations_of_a_point nonnegative_common_roots_are_the_points
 :figure: implicit_points
 
