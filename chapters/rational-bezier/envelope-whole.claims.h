@@ -30,8 +30,8 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :reading: members_are_flatter_powers | "an envelope", a curve that in each of its points is touched by a member,
   wherever $\mathbf R'\ne0$
 :reading-with: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
-:reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, that the two derivatives of the
-  point of the member, by $t$ and by $c$, are parallel, as the equality sign says; already the cubic $(\tau,\tau^3)$ has another one
+:reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, as the equality sign says; the condition is
+  that the derivatives of the point of the member by $t$ and by $c$ are parallel, and already the cubic $(\tau,\tau^3)$ has another such point
 :reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections
 :reading: flat_point_has_another_envelope | the same for $r=1$, with the restriction to curves with $\mathbf R'\times\mathbf R''\ge0$
 :corrected: For a plane curve with the homogeneous points $P_i=(\omega_i\mathbf R_i,\omega_i)$, their polar form $p$, $q(x,y)=p(c^{r-1},t^{n-r-1},x,y)$, $\delta=1-0$ and
