@@ -153,13 +153,14 @@ the equation.
 :title: A rational Bézier curve of degree n is an algebraic curve of degree n
 :zh: n 次有理曲线是 n 次代数曲线
 :printed: Theorem 3.4.2 shows that a plane rational Bézier curve of degree $n$ is a plane algebraic curve of degree $n$.
-:meant: theorem 3.4.2, whose $F$ has a degree | The points of the curve satisfy an equation of degree $n$, repeated factors counted.
+:meant: theorem 3.4.2, whose $F$ has a degree | The $F$ of (3.4.1) is 0 at the points of the curve and has the degree $n$, repeated factors counted.
 :holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
   top_form_is_a_resultant_row_by_row bernstein_sum_of_powers_is_a_power
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
-:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0; and if the terms of degree $n$ vanished, so would a resultant for
+:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$ its first column is 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
-:hypothesis: elevated_curve_has_no_equation | the curve has no base point; else $F$ may be 0 and theorem 3.4.2 says nothing
+:hypothesis: elevated_curve_has_no_equation | the curve has no base point: the two numerators and the denominator of (3.4.4) have no common zero, real, complex
+  or $u=\infty$; else $F$ may be 0 and theorem 3.4.2 says nothing
 :reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors; in the example, where
   $t$ and $-1-t$ give one point though the arc is run through once, $F$ is a square; the source does not ask that a parametrisation run through its curve once
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve, and not an arc of it

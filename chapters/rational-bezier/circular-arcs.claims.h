@@ -361,9 +361,9 @@ a quantity has been lost: none of them says how high the triangle is.
 :meant: the theorem itself, which names $\theta$ and $l$ as given numbers and says that three equations suffice | $\theta$ is any angle between 0 and $\frac\pi2$.
 :reading: isosceles_triangle_with_another_angle | $\theta$ is any angle that satisfies the three equations, as the theorem
   has it, or $\arccos\sqrt{I_1}$; nothing ties the height of the triangle to it
-:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation | With $l$ half the base and $\theta$ the base angle the claim is that the equations
-  suffice.  That they are necessary is `curve_on_a_circle_has_five_conditions`: of an arc $R_0R_1$ and $R_2R_1$ are tangents, equally long, and
-  $4\omega_1^2\|R_0R_1\|^2=\omega_0\omega_2\|R_0R_2\|^2$, which is $\frac{\omega_1^2}{\omega_0\omega_2}=\cos^2\theta$.
+:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation; `arc_and_its_central_angle` says that the equations suffice,
+  `curve_on_a_circle_has_five_conditions` and `arcs_satisfy_the_three_equations` that they are necessary
+:reading-with: curve_on_a_circle_has_five_conditions arcs_satisfy_the_three_equations
 :striking: 2
 :figure: circular_arc_extra
 

@@ -131,7 +131,7 @@ polynomial behind the sign of equality are not the same, though both are 0 on th
 :corrected-by: determinant_is_four_times_the_form
 :figure: determinant_factor
 
-In the text at hand the second and the fourth row stand below the first and the third without a shift,and the zeros are lost; the rows are those of (3.4.1).
+In the text at hand the second and the fourth row stand below the first and the third without a shift, and the zeros are lost; the rows are those of (3.4.1).
 :::
 */
 
@@ -220,6 +220,9 @@ CLAIM(determinant_is_not_the_printed_form)
 :zh: 二次曲线的系数
 :printed: (A,B,C,D,E,F)=(\omega^2y_1^2,\ -\omega^2x_1y_1,\ \omega^2(x_1^2-l^2)+l^2,\ 0,\ \omega^2l^2y_1,\ -\omega^2l^2y_1^2)
 :holds-by: printed_coefficients_are_the_conic_of_the_curve
+:confirmed-by: determinant_is_four_times_the_form
+
+The determinant of (3.5.3) has four times these coefficients; the equation is the same.
 :::
 
 :::{claim} printed_coefficients_are_the_conic_of_the_curve
@@ -233,21 +236,27 @@ CLAIM(determinant_is_not_the_printed_form)
 :control: $D=\omega^2l^2x_1$ for $D=0$
 :::
 */
-CLAIM(printed_coefficients_are_the_conic_of_the_curve)
+/* A X² + 2B XY + C Y² + 2D XW + 2E YW + F W² at the point X : Y : W of the parameter t of the curve (R, w). */
+static num G(form_along)(const num S[], const num R[], const num w[], num t)
 {
-    num l = positive(T, "l", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1), omega = positive(T, "w", 1);
-    num u = parameter(T, "u"), R[6], w[3], S[6], K[6], H[9], P[3], two = from_int(2);
-    G(special_position)(l, x1, y1, omega, R, w);
-    G(printed_form)(l, x1, y1, omega, S);
-    S[3] = fault(T, S[3], mul(mul(omega, omega), mul(mul(l, l), x1)));
+    num H[9], P[3];
     G(rational_homogenize)(2, 2, R, w, H);
-    G(bezier_casteljau)(2, 3, H, u, P);
+    G(bezier_casteljau)(2, 3, H, t, P);
     num X = P[0], Y = P[1], W = P[2];
     num squares = add(add(mul(S[0], mul(X, X)), mul(S[2], mul(Y, Y))), mul(S[5], mul(W, W)));
     num products = add(add(mul(S[1], mul(X, Y)), mul(S[3], mul(X, W))), mul(S[4], mul(Y, W)));
+    return add(squares, mul(from_int(2), products));
+}
+
+CLAIM(printed_coefficients_are_the_conic_of_the_curve)
+{
+    num l = positive(T, "l", 0), x1 = unknown(T, "x", 1), y1 = unknown(T, "y", 1), omega = positive(T, "w", 1);
+    num u = parameter(T, "u"), R[6], w[3], S[6], K[6];
+    G(special_position)(l, x1, y1, omega, R, w);
+    G(printed_form)(l, x1, y1, omega, S);
+    S[3] = fault(T, S[3], mul(mul(omega, omega), mul(mul(l, l), x1)));
     about(T, "the form along the curve");
-    /* A X² + 2B XY + C Y² + 2D XW + 2E YW + F W² */
-    vanishes(T, add(squares, mul(two, products)));
+    vanishes(T, G(form_along)(S, R, w, u));
     G(conic_of_bezier)(R, w, K);
     about(T, "the coefficients");
     for (int k = 0; k < 6; k++)
@@ -298,7 +307,8 @@ CLAIM(discriminant_in_special_coordinates)
 :zh: 按 ω 分类
 :printed: By what is known from analytic geometry the curve (3.1.5) is an ellipse, a parabola or a hyperbola for $\omega<1$, $\omega=1$ or
   $\omega>1$.
-:holds-by: sign_of_the_discriminant discriminant_in_special_coordinates directions_at_infinity
+:holds-by: standard_form_by_a_change_of_parameter printed_coefficients_are_the_conic_of_the_curve sign_of_the_discriminant
+  discriminant_in_special_coordinates directions_at_infinity
 :needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on a line:
   $l\ne0$, $y_1\ne0$.
 :needs: weight_minus_one_is_a_parabola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
@@ -307,7 +317,7 @@ CLAIM(discriminant_in_special_coordinates)
   positive: so $\omega\ne0$.
 :figure: classification_by_weight
 
-With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for $\omega\ne0$.
+$\omega^2$ is the invariant $I_1$, and $\omega>0$.  With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for $\omega\ne0$.
 :::
 
 :::{claim} directions_at_infinity
@@ -476,15 +486,16 @@ In any coordinates the sign of $AC-B^2$ is that of $\omega_0\omega_2-\omega_1^2$
 :::{claim} kind_in_any_coordinates
 :title: The two determinants of the conic for any triangle and weights
 :zh: 任意坐标下的判别式
-:given: points $R_0,R_1,R_2$, weights $\omega_0,\omega_1,\omega_2$
+:given: points $R_0,R_1,R_2$, weights $\omega_0,\omega_1,\omega_2$, any $t$
 :where: $R_0$, $R_1$, $R_2$ do not lie on a line; no weight is 0
-:let: $d=(R_0-R_1)\times(R_2-R_1)$, twice the area of the triangle up to sign
-:then: the conic of the curve has $AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\frac{d^2}4$, and its $3\times3$
+:let: $d=(R_0-R_1)\times(R_2-R_1)$, twice the area of the triangle up to sign; $S$ be the kernel's conic of the curve
+:then: $S(R(t))=0$; $S$ has $AC-B^2=\omega_1^2(\omega_0\omega_2-\omega_1^2)\frac{d^2}4$, and its $3\times3$
   determinant is $-\omega_0\omega_2\omega_1^4\frac{d^4}{16}$, which is not 0 for a true triangle and weights different
   from 0
-:method: Identities in the six coordinates and the weights.  The conic has real points, those of the curve, and is not
+:method: Identities in the six coordinates, the weights and $t$; the first by the homogeneous coordinates of the point.  The conic has real points, those of the curve, and is not
   degenerate; so by `directions_at_infinity` it is an ellipse, a parabola or a hyperbola when $AC-B^2$ is positive,
   zero or negative.
+:over: t: -
 :control: $\omega_1$ for $\omega_1^2$ in the difference
 :::
 */
@@ -496,6 +507,8 @@ CLAIM(kind_in_any_coordinates)
     G(conic_of_bezier)(R, w, S);
     num half = mul(from_ratio(1, 2), G(area)(R + 2, R, R + 4)), hh = mul(half, half), outer = mul(w[0], w[2]);
     num ww = mul(w[1], w[1]), difference = sub(outer, fault(T, ww, w[1]));
+    about(T, "S along the curve");
+    vanishes(T, G(form_along)(S, R, w, parameter(T, "t")));
     about(T, "AC - B²");
     /* AC - B² = ω_1² (ω_0 ω_2 - ω_1²) d²/4 */
     same(T, G(conic_delta)(S), mul(mul(ww, difference), hh));

@@ -37,10 +37,12 @@ binomial coefficients.
 :reading: members_are_flatter_powers | the same osculating line, plane, ... up to dimension $n-r$, for all weights,
   and in the plane empty from dimension 2 on | Since a homogeneous factor $D(c+h)$ is $D(c)+h\delta$, the homogeneous derivatives of order $k\le n-r$ of member and curve are
   $\frac{(n-r)!}{(n-r-k)!}$ and $\frac{n!}{(n-k)!}$ times one vector; the factors are not 0, so the derivatives of the member span what those of the curve do.
+:reading-with: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :corrected: at $t=c$ with $\mathbf R'(c)\ne0$ the contact has for every $r=1,\dots,n-1$ the order of contact of $\mathbf R$
   with its tangent: it is 1 where the curvature $\kappa$ of $\mathbf R$ is not 0, and there, with the curvature $\kappa^{[n-r]}$ of the member,
   $\frac{\kappa^{[n-r]}}{\kappa}=\frac{n(n-r-1)}{(n-r)(n-1)}<1$
 :corrected-by: member_is_flatter_by_a_fixed_ratio member_is_flatter_in_every_order members_are_flatter_powers
+  triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :confirmed-by: expansion_about_the_contact osculating_flats_agree unweighted_derivatives_are_parallel curvature_of_the_member
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else (3.3.3) may give no point, and no member with it

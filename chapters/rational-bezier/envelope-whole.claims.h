@@ -29,25 +29,27 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   $\mathbf R(t)=\operatorname{env}\{\mathbf R^{[n-r]}(t,c),\ a\le t\le b\mid a\le c\le b\}$ with the curves of (3.3.4).
 :reading: members_are_flatter_powers | "an envelope", a curve that in each of its points is touched by a member,
   wherever $\mathbf R'\ne0$
-:reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, as the
-  equality sign says; already the cubic $(\tau,\tau^3)$ has another one
+:reading-with: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
+:reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, as the equality sign says; the condition is
+  that the derivatives of the point of the member by $t$ and by $c$ are parallel, and already the cubic $(\tau,\tau^3)$ has another such point
 :reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections
 :reading: flat_point_has_another_envelope | the same for $r=1$, with the restriction to curves with $\mathbf R'\times\mathbf R''\ge0$
 :corrected: For a plane curve with the homogeneous points $P_i=(\omega_i\mathbf R_i,\omega_i)$, their polar form $p$, $q(x,y)=p(c^{r-1},t^{n-r-1},x,y)$, $\delta=1-0$ and
-  $w_r(c,t)=\det(q(0,0),q(0,\delta),q(\delta,\delta))$ the envelope is $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; with positive weights it is
+  $w_r(c,t)=\det(q(0,0),q(0,\delta),q(\delta,\delta))$ the points that satisfy the envelope condition are $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; with positive weights they are
   $\mathbf R$ alone when the $\mathbf R_i$ are, in this order, the corners of a strictly convex polygon, so always for $n=2$ and a true triangle; for $r=1$
-  and for $r=n-1$ it is $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
+  and for $r=n-1$ they are $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
 :corrected-by: envelope_condition_factors envelope_condition_of_points members_are_flatter_powers
   triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power convex_polygon_has_one_envelope_in_every_degree
   corners_of_a_strictly_convex_polygon_turn_one_way determinant_of_three_sums_goes_by_triples wronskian_decides_the_outer_levels
   triangle_has_one_envelope
-:confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes
+:confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes second_envelopes_by_elimination
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else (3.3.3) may give no point, and no member with it
 :figure: envelope_extra
 
 The text has something of both readings: the word, and the contact at $c=t$ that follows, speak for the first, the sign of equality for the second; what
-$\operatorname{env}$ means is not said in this chapter.
+$\operatorname{env}$ means is not said in this chapter.  Each example shows one point; that for the cubic the whole axis $y=0$, and for the quartic a whole
+parabola, is a further envelope is `second_envelopes_by_elimination`.
 :::
 
 The factorization takes three steps.  The condition is first brought from points to homogeneous vectors, where it is a
@@ -210,8 +212,8 @@ static void G(envelope_point_on_curve)(trial *T, int n, const num R[])
 Two families show the other factor at work.
 
 :::{claim} cubic_family_has_another_envelope
-:title: The family of the cubic (τ, τ³) has the axis y = 0 as a second envelope
-:zh: 三次曲线 (τ,τ³) 的族以 y=0 为另一包络
+:title: In the family of the cubic (τ, τ³) a point off the curve satisfies the envelope condition
+:zh: 三次曲线 (τ,τ³) 的族在曲线外一点满足包络条件
 :kind: counterexample
 :data: R = (-1,-1) (-1/3,1) (1/3,-1) (1,1); r = 1; c = 3/4; t = 1/2
 :instead: t = 3/4
@@ -247,8 +249,8 @@ static enum cagd_sign_pattern G(turning)(int n, const num R[])
 
 /*
 :::{claim} convex_quartic_has_another_envelope
-:title: A convex curve without inflections whose family has a parabola as a second envelope
-:zh: 无拐点的凸四次曲线，其族另有抛物线为包络
+:title: In the family of a quartic without inflections a point off the curve satisfies the envelope condition
+:zh: 无拐点的四次曲线，其族在曲线外一点满足包络条件
 :kind: counterexample
 :data: R = (-1,5/2) (-1/2,-1) (0,1/2) (1/2,-1) (1,5/2); r = 2; c = 3/4; t = 1/4
 :instead: t = 3/4
@@ -272,8 +274,8 @@ CLAIM(convex_quartic_has_another_envelope)
 
 /*
 :::{claim} flat_point_has_another_envelope
-:title: The family of (τ, τ⁴), which is flat at 0 and bends to one side, has the axis y = 0 as a second envelope
-:zh: 曲线 (τ,τ⁴) 无拐点而在 0 处平坦，其族以 y=0 为另一包络
+:title: In the family of (τ, τ⁴), which is flat at 0 and bends to one side, a point off the curve satisfies the envelope condition
+:zh: 曲线 (τ,τ⁴) 无拐点而在 0 处平坦，其族在曲线外一点满足包络条件
 :kind: counterexample
 :data: R = (-1,1) (-1/2,-1) (0,1) (1/2,-1) (1,1); r = 1; c = 3/4; t = 1/2
 :instead: t = 3/4

@@ -36,7 +36,7 @@ order on its line decide whether it is an ordinary cusp.
   $g=\frac{(n-1)(n-2)}2-d-s$ is 0, where $d$ and $s$ are the numbers of the double points and of the cusps that it contains, imaginary points
   included.
 :meant: the usual formula of the genus | The points are counted in the complex projective plane, a double point with two tangents in $d$, a cusp in $s$; $n$ is the
-  degree of the curve; short arcs of the curve are rational Bézier curves.  With this the counterexamples stand.
+  degree of the curve; that it can be written as a rational Bézier curve says that it has arcs, and that short ones are such curves.  With this the counterexamples stand.
 :class: missing-hypothesis
 :refuted-by: reducible_curve_with_count_zero conic_without_real_points rational_quartic_with_a_triple_point
   rational_quartic_with_a_higher_cusp
@@ -60,7 +60,7 @@ order on its line decide whether it is an ordinary cusp.
 :striking: 5
 
 The correction says no more than what is shown here: an identity for each of its parts, and the argument from there
-in the method of the claim.
+in the method of the claim.  It leaves out $n=1$: a segment of any line is a rational Bézier curve, and the count is 0.
 :::
 
 That a curve is rational is shown by giving the parametrisation.  A line through a point of multiplicity $n-1$ meets

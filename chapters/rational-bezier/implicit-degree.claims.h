@@ -354,7 +354,8 @@ $a_0$ and $b_0$; and of these there is one pair in each of the first $n$ columns
 :confirmed-by: changed_entries_are_constants variables_stay_in_the_first_columns
 
 The first row of the $a$ is the one of the recursion; the entry $j$ of row $k$ is $a_j^{[r]}$ with $r=\min(j,n-k+1)$.  With the printed recursion,
-which is not the one of the operations, they are constants, too, for $n=1$ to $6$ (`changed_entries_are_constants`).
+which is not the one of the operations, they are constants, too: its first level is the same, and every later one is made of entries of level 1 and more;
+for $n=1$ to $6$ this is run in `changed_entries_are_constants`.
 :::
 
 :::{statement} wang-ch3:thm-3.4.2-step-same-columns
@@ -376,6 +377,8 @@ The variables stand in $n$ columns, in degree one: a product of one entry from e
 :method: The recursion is run for both values.  $f_i^{[1]}=\binom ni\omega_i(x_i-x_0)$, and later levels are
   combinations of such numbers.
 :degrees: 1..6 sampled 10
+:argued: every n | $f_i^{[1]}$ is as in the method for $i\le n$ and 0 beyond; for $r\ge2$ both recursions form $f_i^{[r]}$, $i\ge r$, from $f_i^{[r-1]}$ and
+  $f_{r-1}^{[r-1]}$, which are of level $r-1\ge1$.
 :over: x#: points; x; x'
 :control: level 0 included
 :::

@@ -165,7 +165,7 @@ CLAIM(parameter_change_needs_two_ends)
 :printed: (3.4.3) gives $\mathbf R(t)=(x,y)=\Bigl(\frac{\sum_{i=0}^n\binom ni\omega_ix_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}},
   \frac{\sum_{i=0}^n\binom ni\omega_iy_iu^{n-i}}{\sum_{i=0}^n\binom ni\omega_iu^{n-i}}\Bigr)$, $0\le u\le+\infty$.
 :holds-by: parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
-  quotients_of_large_parameters_lead_to_the_first_point
+  quotients_of_large_parameters_lead_to_the_first_point positive_denominator_times_a_difference
 :confirmed-by: curve_in_the_new_parameter
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that the denominator does not vanish for $u\ge0$
@@ -401,16 +401,19 @@ elsewhere gives a point off the arc, or no point at all.
 :class: missing-hypothesis
 :reading: positive_denominator_times_a_difference | a common root $u\ge0$, the range of (3.4.4) being carried over to (3.4.5): then it is right for positive weights | By (3.4.3)
   the parameter $u=\frac{b-t}{t-a}$ runs once through $[0,\infty)$ while $t$ runs through $(a,b]$; the point of $t=a$ is that of $a_0=b_0=0$.
+:reading-with: parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+  quotients_of_large_parameters_lead_to_the_first_point
 :reading: common_root_of_a_point_off_the_arc | a common root, as it is printed, real or complex
 :refuted-by: common_root_of_a_point_off_the_arc common_root_of_an_isolated_point
 :corrected: for positive weights $(x,y)$ is a point of the curve if and only if the two polynomials have a common root
   $u\ge0$, or $a_0=b_0=0$
 :corrected-by: parameter_change_and_its_inverse positive_denominator_times_a_difference
-  change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
+  change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power quotients_of_large_parameters_lead_to_the_first_point
 :confirmed-by: equations_of_a_point nonnegative_common_roots_are_the_points
 :figure: implicit_points
 
-By (3.4.3) $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$; $a_0=b_0=0$ says $x=x_0$, $y=y_0$, as $\omega_0\ne0$.  Only the direction from the curve to the common root is
+By (3.4.3) $u=\frac{b-t}{t-a}$ maps $(a,b]$ once onto $[0,\infty)$; $a_0=b_0=0$ says $x=x_0$, $y=y_0$, as $\omega_0\ne0$, and $\mathbf R_0$ is the point of $t=a$, where
+of the Bernstein sums only the first terms are left.  Only the direction from the curve to the common root is
 used in the proof, and that one is right.
 :::
 
@@ -657,6 +660,8 @@ determinant is identically 0.
 :reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs none of the hypotheses on weights and common zeros | At such a
   point, other than $\mathbf R_0$, the sums of (3.4.5) are 0; a square matrix that takes a vector that is not 0 to 0 has the determinant 0.  At
   $\mathbf R_0$, which is the point of no $u$, the first column is 0.
+:reading-with: sums_are_the_denominator_times_a_difference parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor
+  bernstein_sum_of_powers_is_a_power
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve and no others; but a point of a parameter outside of the interval may
   be one
 :figure: implicit_elevation

@@ -197,11 +197,12 @@ CLAIM(roots_over_the_parameter_are_wrong)
 :zh: 标准形的权
 :printed: The curve then becomes the rational Bézier curve $R^*(u)$ with the same control points and the weights
   $(\omega_0^*,\omega_1^*,\omega_2^*)=\left(1,\ \omega=\frac{\omega_1}{\sqrt{\omega_0\omega_2}},\ 1\right)$.
+:meant: (3.5.1), the change of parameter to which the word then points | The change of parameter is (3.5.1) with the roots over the weights alone.
 :holds-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
 :needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive.
 
-The change of parameter is (3.5.1) as corrected; with the roots as printed there the curve does not become this one.
+With the roots as printed in (3.5.1) the curve does not become this one.
 :::
 
 :::{claim} negative_weights_lose_their_sign
