@@ -1,8 +1,8 @@
 /*
 # Equidistant knots (等距节点)
 
-With $t_i=i$ the products are factorials.  The source derives the matrix by a chain of four sums: the knots put in, then
-$i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.
+With $t_i=i$ the products of (4.4.23) are factorials.  The source derives the matrix by a chain of four sums: the knots put in, then
+$i=r-k+1+s$, then $v=l-r-1$, then $l=s-v$.  Each step is decided for every order; so the matrix is.
 */
 #include "chapters/nurbs/simple-knots.h"
 
@@ -15,25 +15,80 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :title: Equidistant knots may be taken as the integers
 :zh: 等距时不妨设 t_i=i
 :printed: when the knots of $T$ are equidistant, one may put $t_i=i$
-:holds-by: uniform_matrix_is_the_matrix
-:confirmed-by: coefficient_matrix_is_affinely_invariant
+:holds-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
+:confirmed-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
 :figure: uniform_matrices
 
 The knots are $a+hi$, and the matrix is that of $a=0$, $h=1$.
 :::
 
+:::{claim} equidistant_knots_make_factorials
+:title: With equidistant knots the products of (4.4.23) are factorials
+:zh: 等距时 (4.4.23) 中的乘积为阶乘
+:types: field
+:given: the knots $t_i=a+hi$; integers $k$, $r$, $i$, $l$ and $m$; of (4.4.23) with the factors $t_l-t_\alpha$ and the exponent $k-1-j$ the term of $l$
+:let: $U=h^j$, $V=h^{k-1-j}$, so that $h^k=hUV$; $\sigma=(-1)^j$, $\rho=(-1)^{i+k-l}$; $A=(l-i)!$, $B=(i+k-l)!$, $W=(l-r)^{k-1-j}$
+:then: (1) $t_l-t_{l-m}=hm$ and $t_l-t_{l+m}=-hm$, of which the product has those with $m=1,\dots,l-i$ and $m=1,\dots,i+k-l$, $k$ in number, so that it is
+  $hUV\rho AB$; (2) the others are $t_{i+k}-t_i=hk$, $(t_r-t_{r+1})^j=\sigma U$ and $(t_l-t_r)^{k-1-j}=VW$; (3) of all,
+  $\frac{hk\cdot\sigma U\cdot VW}{hUV\rho AB}=k\,\frac{\sigma\rho W}{AB}$, and $\sigma\rho$ is $(-1)^{j+k+l-i}$
+:method: Identities in all these letters.  So neither $a$ nor $h$ stands in (4.4.23), which is the first sum with the exponent $k-1-j$.
+:degrees: all
+:scope: equidistant knots
+:over: a: first knot; h: gap; k r i l m j: -; U V A B W: -
+:control: $t_{l+m}-t_l=hm$ in the product
+:::
+*/
+#if FIELD
+CLAIM(equidistant_knots_make_factorials)
+{
+    num a = unknown(T, "a", 0), h = positive(T, "h", 0), one = from_int(1), two = from_int(2);
+    num k = whole(T, "k", 2, 9), r = whole(T, "r", 0, 9), i = whole(T, "i", 0, 9), l = whole(T, "l", 0, 9);
+    num m = whole(T, "m", 1, 9), j = whole(T, "j", 0, 9), knot = add(a, mul(h, l));
+    num A = unknown(T, "A", 0), B = unknown(T, "B", 0), U = unknown(T, "U", 0), V = unknown(T, "V", 0),
+        W = unknown(T, "W", 0);
+    about(T, "the factors");
+    same(T, sub(knot, add(a, mul(h, sub(l, m)))), mul(h, m));
+    num behind = add(a, mul(h, add(l, m)));
+    same(T, fault(T, sub(knot, behind), sub(behind, knot)), neg(mul(h, m)));
+    same(T, sub(knot, add(a, mul(h, r))), mul(h, sub(l, r)));
+    same(T, sub(add(a, mul(h, add(i, k))), add(a, mul(h, i))), mul(h, k));
+    same(T, sub(add(a, mul(h, r)), add(a, mul(h, add(r, one)))), neg(h));
+    about(T, "their number");
+    same(T, add(sub(l, i), sub(add(i, k), l)), k);
+    about(T, "the term");
+    for (int odd = 0; odd < 4; odd++) { /* σ and ρ */
+        num sigma = from_int(odd & 1 ? -1 : 1), rho = from_int(odd & 2 ? -1 : 1);
+        num above = mul(mul(mul(h, k), mul(sigma, U)), mul(V, W)), below = mul(mul(h, mul(U, V)), mul(rho, mul(A, B)));
+        same(T, div(above, below), mul(k, div(mul(mul(sigma, rho), W), mul(A, B))));
+    }
+    about(T, "the exponent of -1"); /* j+k+l-i, and j with i+k-l */
+    same(T, sub(add(add(j, k), sub(l, i)), add(j, sub(add(i, k), l))), mul(two, sub(l, i)));
+}
+#endif
+
+/*
 :::{claim} uniform_matrix_is_the_matrix
 :title: The formula for equidistant knots gives the coefficient matrix
 :zh: 等距节点系数矩阵公式
 :given: orders $k$, the knots $t_i=a+hi$ with variables $a$ and $h$, $u$ variable
-:then: the columns of the matrix of the printed sums, in which neither $a$ nor $h$ stands, are the $N_{i,k}$ in powers of $u$
-:method: The kernel's sums against the definition of the B-splines, as functions of a variable $u$.
+:then: the columns of the matrix of the sums $(-1)^j\frac{\binom{k-1}j}{(k-1)!}\sum_{l=0}^i(-1)^l\binom kl(i-l+1)^{k-1-j}$, in which neither $a$ nor $h$ stands, are the $N_{i,k}$ in powers of $u$, and
+  `bspline_matrix_uniform` has these entries
+:method: The sums by their letter against the kernel, and in powers of a variable $u$ against the definition of the B-splines.
 :degrees: 0..6 sampled 8
 :over: a: first knot; h: gap
 :defines: bspline_matrix_uniform
 :control: the columns in the opposite order
 :::
 */
+/* The printed entry of row j and column i of the matrix of equidistant knots. */
+static num G(printed_uniform)(int k, int j, int i)
+{
+    num sum = from_int(0);
+    for (int l = 0; l <= i; l++)
+        sum = add(sum, G(signed_by)(l, mul(G(choose)(k, l), G(power)(from_int(i - l + 1), k - 1 - j))));
+    return G(signed_by)(j, mul(div(G(choose)(k - 1, j), G(factorial)(k - 1)), sum));
+}
+
 CLAIM(uniform_matrix_is_the_matrix)
 {
     int k = T->degree + 1;
@@ -44,6 +99,10 @@ CLAIM(uniform_matrix_is_the_matrix)
         S.group[m] = m;
     }
     G(bspline_matrix_uniform)(k - 1, A);
+    about(T, "the sums by their letter and the kernel's");
+    for (int m = 0; m < k * k; m++)
+        same(T, G(printed_uniform)(k, m / k, m % k), A[m]);
+    about(T, "the powers of u and the B-spline");
     for (int i = 0; i < k; i++)
         same(T, G(column_value)(k, A, fault(T, i, k - 1 - i), u), G(basis_value)(&S, i, k, G(at_parameter)(&S, u)));
 }
@@ -56,8 +115,8 @@ CLAIM(uniform_matrix_is_the_matrix)
 :class: invalid-proof
 :refuted-by: uniform_chain_does_not_follow
 :corrected: it follows from (4.4.23) with the factors $t_l-t_\alpha$ and, in both, the exponent $k-1-j$
-:corrected-by: corrected_entry_becomes_the_first_sum
-:confirmed-by: uniform_chain_gives_the_matrix
+:corrected-by: equidistant_knots_make_factorials
+:confirmed-by: corrected_entry_becomes_the_first_sum uniform_chain_gives_the_matrix
 :figure: simple_knots_sign
 :::
 */
@@ -237,8 +296,8 @@ CLAIM(uniform_chain_does_not_follow)
 :class: misprint
 :refuted-by: uniform_letter_one_fails
 :corrected: the exponent is $k-1-j$; everything else is right
-:corrected-by: last_sum_gives_the_uniform_matrix uniform_terms_pass_into_one_another uniform_matrix_is_the_matrix
-:confirmed-by: uniform_chain_gives_the_matrix
+:corrected-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
+:confirmed-by: uniform_chain_gives_the_matrix last_sum_gives_the_uniform_matrix
 :figure: uniform_letter
 :::
 */
@@ -306,8 +365,9 @@ CLAIM(uniform_letter_one_fails)
 :refuted-by: uniform_letter_in_factorial_fails
 :corrected: the upper limit is $r+1+s$, the exponent $k-1-j$ and the last factorial $(r+s+1-l)!$: three letters $l$ for the
   digit 1
-:corrected-by: last_sum_gives_the_uniform_matrix uniform_terms_pass_into_one_another uniform_matrix_is_the_matrix
-:confirmed-by: uniform_chain_gives_the_matrix
+:corrected-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
+  uniform_terms_pass_into_one_another
+:confirmed-by: uniform_chain_gives_the_matrix last_sum_gives_the_uniform_matrix
 :figure: uniform_letter
 
 With $l$ in its own upper limit the sum has no meaning; with the limit and the exponent put right the factorial is still wrong.
@@ -341,8 +401,9 @@ CLAIM(uniform_letter_in_factorial_fails)
 :class: misprint
 :refuted-by: uniform_letter_is_free_in_the_third_sum
 :corrected: the exponent is $k-1-j$
-:corrected-by: last_sum_gives_the_uniform_matrix uniform_terms_pass_into_one_another uniform_matrix_is_the_matrix
-:confirmed-by: uniform_chain_gives_the_matrix
+:corrected-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
+  uniform_terms_pass_into_one_another
+:confirmed-by: uniform_chain_gives_the_matrix last_sum_gives_the_uniform_matrix
 :figure: uniform_letter
 
 By the letter the sum has no value: $l$, the variable of the second sum, is bound nowhere here.  In the example it is $a_{ji}$ with $l=1$, and not with $l=2$.
@@ -376,8 +437,9 @@ CLAIM(uniform_letter_is_free_in_the_third_sum)
 :class: misprint
 :refuted-by: uniform_letter_in_last_sum_fails
 :corrected: the exponent is $k-1-j$
-:corrected-by: last_sum_gives_the_uniform_matrix uniform_matrix_is_the_matrix
-:confirmed-by: uniform_chain_gives_the_matrix
+:corrected-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
+  uniform_terms_pass_into_one_another
+:confirmed-by: uniform_chain_gives_the_matrix last_sum_gives_the_uniform_matrix
 :figure: uniform_letter
 :::
 
@@ -459,7 +521,9 @@ CLAIM(uniform_terms_pass_into_one_another)
 :zh: 等距节点的系数矩阵
 :printed: simplified and rearranged, on the interval $[t_r,t_{r+1})=[r,r+1)$ the elements of $\mathbf A_{r,t,T}$ are
   $a_{j,r-k+1+i}=(-1)^j\frac{\binom{k-1}j}{(k-1)!}\sum_{l=0}^i(-1)^l\binom kl(i-l+1)^{k-1-j}$, $i,j=0,1,\dots,k-1$
-:holds-by: uniform_matrix_is_the_matrix
+:holds-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
+  uniform_terms_pass_into_one_another fourth_sum_is_the_printed_one
+:confirmed-by: uniform_matrix_is_the_matrix
 :meant: (4.4.3), whose indices are $r,k,T$ | The matrix is $\mathbf A_{r,k,T}$, see `notation-4.4`.
 :figure: uniform_matrices
 
@@ -470,12 +534,35 @@ Here the exponent is printed right.
 :title: The matrix is the same on every span
 :zh: 与 r 无关
 :printed: the entries do not depend on $r$
-:holds-by: uniform_matrix_is_the_matrix
-:confirmed-by: coefficient_matrix_is_affinely_invariant
+:holds-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
+  uniform_terms_pass_into_one_another fourth_sum_is_the_printed_one
+:confirmed-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
 :figure: uniform_matrices
 
 Another $r$ is another first knot: around $[r,r+1)$ it is $r-k+1$.
 :::
+
+:::{claim} fourth_sum_is_the_printed_one
+:title: The fourth sum, with the digit 1, is the printed entry
+:zh: 第四式化为印出的元素
+:types: field
+:given: a term $l$ of the fourth sum, with the exponent $k-1-j$
+:let: $A=l!$, $B=(k-l)!$, $C=(k-1)!$, so that $k!=kC$ and $\binom kl=\frac{kC}{AB}$; $N=\binom{k-1}j$
+:then: $N\,k\,\frac1{BA}=\frac NC\binom kl$; the sign and the power stand in both
+:method: An identity in the five letters; $s$ is the $i$ of the printed entry.
+:degrees: all
+:over: k A B C N: -
+:control: $k!=(k-1)C$
+:::
 */
+#if FIELD
+CLAIM(fourth_sum_is_the_printed_one)
+{
+    num k = whole(T, "k", 2, 9), one = from_int(1), N = unknown(T, "N", 0);
+    num A = unknown(T, "A", 0), B = unknown(T, "B", 0), C = unknown(T, "C", 0);
+    num choose = div(mul(fault(T, k, sub(k, one)), C), mul(A, B));
+    same(T, mul(mul(N, k), div(one, mul(B, A))), mul(div(N, C), choose));
+}
+#endif
 
 #include "chapters/judge/claims_off.h"
