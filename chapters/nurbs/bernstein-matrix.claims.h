@@ -242,7 +242,6 @@ On which side, one sees from the polynomials: $B_i^{k-1}$ is divisible by $t^i$,
 :zh: Bernstein 情形的递推(任意阶数)
 :types: field
 :given: the knots $t_0=\dots=t_{k-1}=0$, $t_k=\dots=t_{2k-1}=1$, the span $[t_{k-1},t_k)$; integers $j,h\ge1$, $n=j+h$; the order $m=n+1\le k$ and $i=k-m+j$; $t$
-:harmless: $j,h\ge1$ | the ends are in the method
 :let: $c=\binom{n-1}j$, so that $\binom{n-1}{j-1}=c\frac jh$ and $\binom nj=c\frac{j+h}h$; $U=t^{j-1}(1-t)^{h-1}$
 :then: (1) $k-1-(i+1)=h-1\ge0$ and $(i+m-1)-k=j-1\ge0$, so that $t_i=t_{i+1}=0$ and $t_{i+m-1}=t_{i+m}=1$, and $N_{i,m}(t)=\frac{t-0}{1-0}N_{i,m-1}(t)+\frac{1-t}{1-0}N_{i+1,m-1}(t)$;
   (2) of these two, number $j-1$ and number $j$ of their order, $t\cdot c\frac jhU(1-t)+(1-t)\cdot c\,Ut=c\frac{j+h}hUt(1-t)$, which is $B_j^n(t)$ from $B_{j-1}^{n-1}(t)$ and $B_j^{n-1}(t)$
@@ -278,6 +277,7 @@ CLAIM(bernstein_functions_in_every_order)
 :zh: Bernstein 基按 t 的幂展开(任意次数)
 :types: field
 :given: integers $i,d,e\ge0$, $j=i+d$, $n=i+d+e$; integers $g,h\ge1$, $m=g+h-1$, $\sigma=(-1)^g$
+:harmless: $i,d,e\ge0$ | these are all $i\le j\le n$
 :let: $A=i!$, $D=d!$, $E=e!$, $J=j!$, $M=(d+e)!$, $N=n!$, so that $\binom ni=\frac N{AM}$, $\binom{n-i}d=\frac M{DE}$, $\binom nj=\frac N{JE}$, $\binom ji=\frac J{AD}$;
   $c=\binom mg$, so that $\binom m{g-1}=c\frac gh$ and $\binom{m+1}g=c\frac{g+h}h$
 :then: (1) $(1-t)\bigl(\dots-\sigma c\frac gh\,t^{g-1}+\sigma c\,t^g\dots\bigr)$ has at $t^g$ the factor $\sigma c\frac{g+h}h$; (2)

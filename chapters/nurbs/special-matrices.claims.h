@@ -82,6 +82,7 @@ not show.
 :types: field
 :given: simple nodes $t_0,\dots,t_k$, $k\ge1$, among them $a=t_0$, $b=t_k$ and an inner one $y=t_l$; the value $F$ of $f$ at a node, any number $G$;
   the product $Q$ of the $1/(t_l-t_j)$ over the inner nodes $t_j$, $0<j<k$, $j\ne l$
+:harmless: $j\ne l$ | the factor of the node itself is in no product
 :let: $g_1$ and $g_0$ the polynomials that agree with $f$ at $t_1,\dots,t_k$ and at $t_0,\dots,t_{k-1}$
 :then: (1) $\bigl((x-a)g_1(x)-(x-b)g_0(x)\bigr)/(b-a)$ agrees with $f$ at all nodes, so that
   $[t_0,\dots,t_k]f=\bigl([t_1,\dots,t_k]f-[t_0,\dots,t_{k-1}]f\bigr)/(b-a)$; (2) if in both of them $f(t_l)$ has the factor that is the product of all $1/(t_l-t_j)$, so it has
@@ -220,6 +221,7 @@ functions of the order before have brings two terms, which are one of the next o
 :types: field
 :given: simple knots, an order $m\ge2$, $a=t_i$, $b=t_{i+m}$, $c=t_{i+1}$, $d=t_{i+m-1}$, a knot $y=t_l$ with $i<l<i+m$; $t$; the product $Q$ of the
   $1/(t_l-t_j)$ over $i<j<i+m$, $j\ne l$; $V=(t_l-t)^{m-2}$
+:harmless: $j\ne l$ | the factor of the knot itself is in no product
 :let: $\alpha_l=\bigl[\prod_{j=i,\,j\ne l}^{i+m}(t_l-t_j)\bigr]^{-1}$, for inner $l$ the $\frac Q{(y-a)(y-b)}$, and in $N_{i,m-1}$ and $N_{i+1,m-1}$ the
   $\frac Q{y-a}$ and $\frac Q{y-b}$
 :then: $\frac{t-a}{d-a}(d-a)\frac Q{y-a}V+\frac{b-t}{b-c}(b-c)\frac Q{y-b}V=(b-a)\frac Q{(y-a)(y-b)}(y-t)V$; for $l=i$, which $N_{i,m-1}$ alone has,
