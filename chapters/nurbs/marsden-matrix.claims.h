@@ -401,8 +401,8 @@ does.
 :given: orders $k$, knots variables
 :then: $\det G=\prod(t_b-t_a)/\prod_j\binom{k-1}j$ over the pairs $a\le r<b$ with $b-a\le k-1$, as `marsden_determinant`
   computes it
-:method: The determinant of $G$ by (4.4.19), over all permutations up to $k=4$ and by Bird's algorithm for every $k$.  On a span that is not empty no factor is 0:
-  $t_a\le t_r<t_{r+1}\le t_b$, whatever knots coincide.
+:method: The determinant of $G$ by (4.4.19), over all permutations up to $k=4$ and by Bird's algorithm for every $k$.  Both are polynomials of the knots,
+  so that they agree for coincident ones, too.  On a span that is not empty no factor is 0: $t_a\le t_r<t_{r+1}\le t_b$.
 :degrees: 0..4 sampled 7
 :over: t#: knots
 :defines: marsden_determinant
