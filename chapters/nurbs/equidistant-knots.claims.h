@@ -19,7 +19,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :confirmed-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
 :figure: uniform_matrices
 
-The knots are $a+hi$, and the matrix is that of $a=0$, $h=1$.
+The knots are $a+hi$, and the matrix is that of $a=0$, $h=1$: in (4.4.23), put right as in `formula-4.4.23`, neither $a$ nor $h$ is left.
 :::
 
 :::{claim} equidistant_knots_make_factorials
@@ -31,7 +31,7 @@ The knots are $a+hi$, and the matrix is that of $a=0$, $h=1$.
 :then: (1) $t_l-t_{l-m}=hm$ and $t_l-t_{l+m}=-hm$, of which the product has those with $m=1,\dots,l-i$ and $m=1,\dots,i+k-l$, $k$ in number, so that it is
   $hUV\rho AB$; (2) the others are $t_{i+k}-t_i=hk$, $(t_r-t_{r+1})^j=\sigma U$ and $(t_l-t_r)^{k-1-j}=VW$; (3) of all,
   $\frac{hk\cdot\sigma U\cdot VW}{hUV\rho AB}=k\,\frac{\sigma\rho W}{AB}$, and $\sigma\rho$ is $(-1)^{j+k+l-i}$
-:method: Identities in all these letters.  So neither $a$ nor $h$ stands in (4.4.23), which is the first sum with the exponent $k-1-j$.
+:method: Identities in all these letters.  The binomial coefficient stands in both.  So neither $a$ nor $h$ stands in (4.4.23), which is the first sum with the exponent $k-1-j$.
 :degrees: all
 :scope: equidistant knots
 :over: a: first knot; h: gap; k r i l m j: -; U V A B W: -
@@ -527,7 +527,7 @@ CLAIM(uniform_terms_pass_into_one_another)
 :meant: (4.4.3), whose indices are $r,k,T$ | The matrix is $\mathbf A_{r,k,T}$, see `notation-4.4`.
 :figure: uniform_matrices
 
-Here the exponent is printed right.
+Here the exponent is printed right.  The first two steps are (4.4.23) put right, see `formula-4.4.23`, the third makes the first sum of it, the others lead over the fourth to what is printed.
 :::
 
 :::{statement} wang-ch4:uniform-matrix-independent
