@@ -23,6 +23,9 @@ With $k$ knots 0 and $k$ knots 1, numbered from 0, the span is $[t_{k-1},t_k)=[0
 :needs: bernstein_knots_from_one_shift_the_index | the span printed with it, $[t_{k-1},t_k)=[0,1)$ | the knots are numbered
   from 0, $t_0=\dots=t_{k-1}=0$; the points of (4.1.1) are numbered from 1
 :figure: bernstein_matrix
+
+How often each of the two numbers stands in $T$ is not printed; here it is $k$ times, which are the $2k$ knots of the functions $i=0,\dots,k-1$.  The first and the last of them
+stand in none of the formulas.
 :::
 
 :::{statement} wang-ch4:bernstein-g
@@ -212,7 +215,9 @@ CLAIM(bernstein_knots_from_one_shift_the_index)
 :class: misprint
 :refuted-by: printed_bernstein_matrix_is_transposed printed_bernstein_quotient_fails
 :corrected: a_{ji}=0\ (j<i),\quad a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji\ (j\ge i)
-:corrected-by: bernstein_matrix_is_the_matrix
+:corrected-by: bernstein_functions_in_every_order outer_functions_are_made_of_outer_ones
+  bernstein_powers_in_every_degree
+:confirmed-by: bernstein_matrix_is_the_matrix
 :needs: polynomial_of_a_span_ends_with_it | the line itself: on $[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
 :striking: 10
 :figure: bernstein_matrix
@@ -229,9 +234,80 @@ static num G(bernstein_value)(int n, int i, num t)
 }
 
 /*
-The inverse of such a matrix is again triangular, on the same side, and has products of the binomial coefficients with
-alternating signs. On which side, one sees from the polynomials: $B_i^{k-1}$ is divisible by $t^i$, so column $i$
-begins with $i$ zeros.
+The matrix of the Bernstein polynomials is triangular and has products of the binomial coefficients with alternating signs.
+On which side, one sees from the polynomials: $B_i^{k-1}$ is divisible by $t^i$, so column $i$ begins with $i$ zeros.
+
+:::{claim} bernstein_functions_in_every_order
+:title: From one order to the next, for the knots of Bernstein
+:zh: Bernstein 情形的递推(任意阶数)
+:types: field
+:given: the knots $t_0=\dots=t_{k-1}=0$, $t_k=\dots=t_{2k-1}=1$, the span $[t_{k-1},t_k)$; integers $j,h\ge1$, $n=j+h$; the order $m=n+1\le k$ and $i=k-m+j$; $t$
+:let: $c=\binom{n-1}j$, so that $\binom{n-1}{j-1}=c\frac jh$ and $\binom nj=c\frac{j+h}h$; $U=t^{j-1}(1-t)^{h-1}$
+:then: (1) $k-1-(i+1)=h-1\ge0$ and $(i+m-1)-k=j-1\ge0$, so that $t_i=t_{i+1}=0$ and $t_{i+m-1}=t_{i+m}=1$, and $N_{i,m}(t)=\frac{t-0}{1-0}N_{i,m-1}(t)+\frac{1-t}{1-0}N_{i+1,m-1}(t)$;
+  (2) of these two, number $j-1$ and number $j$ of their order, $t\cdot c\frac jhU(1-t)+(1-t)\cdot c\,Ut=c\frac{j+h}hUt(1-t)$, which is $B_j^n(t)$ from $B_{j-1}^{n-1}(t)$ and $B_j^{n-1}(t)$
+:method: The step of an induction on $m$ for $N_{k-m+j,m}=B_j^{m-1}$ on the span, $j=0,\dots,m-1$; for $m=k$ it is $N_{j,k}=B_j^{k-1}$.  For $j=0$ the first and for $j=n$ the second
+  of the two functions vanishes on the span (`outer_functions_are_made_of_outer_ones`), and $(1-t)(1-t)^{n-1}$ and $t\cdot t^{n-1}$ are left.  $N_{k-1,1}=1=B_0^0$.
+:degrees: all
+:scope: the knots of Bernstein
+:over: t; k j h c U: -
+:control: the two fractions exchanged
+:::
+*/
+#if FIELD
+CLAIM(bernstein_functions_in_every_order)
+{
+    num j = whole(T, "j", 1, 9), h = whole(T, "h", 1, 9), k = whole(T, "k", 20, 30), one = from_int(1),
+        zero = from_int(0);
+    num n = add(j, h), m = add(n, one), i = add(sub(k, m), j);
+    about(T, "the places of the knots");
+    same(T, sub(sub(k, one), add(i, one)), sub(h, one));
+    same(T, sub(sub(add(i, m), one), k), sub(j, one));
+    num t = parameter(T, "t"), c = unknown(T, "c", 0), U = unknown(T, "U", 0), fall = sub(one, t);
+    num first = mul(mul(div(mul(c, j), h), U), fall), second = mul(mul(c, U), t); /* B_{j-1}^{n-1}, B_j^{n-1} */
+    num rise = div(sub(t, zero), sub(one, zero)), other = div(fall, sub(one, zero));
+    about(T, "from one order to the next");
+    same(T, add(mul(fault(T, rise, other), first), mul(fault(T, other, rise), second)),
+         mul(div(mul(c, n), h), mul(U, mul(t, fall))));
+}
+#endif
+
+/*
+:::{claim} bernstein_powers_in_every_degree
+:title: The Bernstein polynomials in powers of t, whatever the degree
+:zh: Bernstein 基按 t 的幂展开(任意次数)
+:types: field
+:given: integers $i,d,e\ge0$, $j=i+d$, $n=i+d+e$; integers $g,h\ge1$, $m=g+h-1$, $\sigma=(-1)^g$
+:harmless: $i,d,e\ge0$ | these are all $i\le j\le n$
+:let: $A=i!$, $D=d!$, $E=e!$, $J=j!$, $M=(d+e)!$, $N=n!$, so that $\binom ni=\frac N{AM}$, $\binom{n-i}d=\frac M{DE}$, $\binom nj=\frac N{JE}$, $\binom ji=\frac J{AD}$;
+  $c=\binom mg$, so that $\binom m{g-1}=c\frac gh$ and $\binom{m+1}g=c\frac{g+h}h$
+:then: (1) $(1-t)\bigl(\dots-\sigma c\frac gh\,t^{g-1}+\sigma c\,t^g\dots\bigr)$ has at $t^g$ the factor $\sigma c\frac{g+h}h$; (2)
+  $\binom ni\binom{n-i}d=\binom nj\binom ji$, and the exponents $d$ and $i+j$ of $-1$ differ by $2i$
+:method: (1) is the step of an induction on $m$ for $(1-t)^m=\sum_g(-1)^g\binom mgt^g$, in which all letters are variables; at $t^0$ it is $1$, at $t^{m+1}$ it is $-(-1)^m$, and
+  $(1-t)^0=1$.  So $\binom ni(1-t)^{n-i}t^i$ has at $t^{i+d}$ the factor $(-1)^d\binom ni\binom{n-i}d$, and nothing before $t^i$; (2) is that this is $(-1)^{i+j}\binom nj\binom ji$.
+:degrees: all
+:over: g h c i d: -; A D E J M N: -
+:control: $-c\frac gh$ for $c\frac gh$ in (1)
+:::
+*/
+#if FIELD
+CLAIM(bernstein_powers_in_every_degree)
+{
+    num g = whole(T, "g", 1, 9), h = whole(T, "h", 1, 9), c = unknown(T, "c", 0), two = from_int(2);
+    for (int odd = 0; odd <= 1; odd++) {
+        num sigma = from_int(odd ? -1 : 1), before = mul(neg(sigma), div(mul(c, g), h));
+        about(T, "one factor more"); /* 1 times the one coefficient, -1 times the one before */
+        same(T, sub(mul(sigma, c), fault(T, before, neg(before))), mul(sigma, div(mul(c, add(g, h)), h)));
+    }
+    num A = unknown(T, "A", 0), D = unknown(T, "D", 0), E = unknown(T, "E", 0), J = unknown(T, "J", 0);
+    num M = unknown(T, "M", 0), N = unknown(T, "N", 0), i = whole(T, "i", 0, 9), d = whole(T, "d", 0, 9);
+    about(T, "the binomial coefficients");
+    same(T, mul(div(N, mul(A, M)), div(M, mul(D, E))), mul(div(N, mul(J, E)), div(J, mul(A, D))));
+    about(T, "the exponent of -1");
+    same(T, sub(add(i, add(i, d)), d), mul(two, i));
+}
+#endif
+
+/*
 
 :::{claim} bernstein_matrix_is_the_matrix
 :title: The corrected entries are those of the coefficient matrix
@@ -341,7 +417,8 @@ CLAIM(printed_bernstein_quotient_fails)
 :title: The B-splines are then the Bernstein polynomials
 :zh: 退化为 Bernstein 基
 :printed: for $T=\{0,\dots,0,1,\dots,1\}$, compared with (1.6.9), the B-splines degenerate to the Bernstein polynomials, $N_{i,k}(t)=B_i^{k-1}(t)$, $t\in[t_{k-1},t_k)=[0,1)$, $i=0,1,\dots,k-1$
-:holds-by: bsplines_are_bernstein_polynomials
+:holds-by: bernstein_functions_in_every_order outer_functions_are_made_of_outer_ones
+:confirmed-by: bsplines_are_bernstein_polynomials
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
 :figure: bernstein_matrix
 
@@ -374,10 +451,13 @@ CLAIM(bsplines_are_bernstein_polynomials)
 :printed: in the same line: $N_{i,k}(t)=\sum_{j=0}^{k-1}a_{ji}t^j=B_i^{k-1}(t)$
 :class: misprint
 :refuted-by: printed_bernstein_matrix_is_transposed
-:meant: the entries of the coefficient matrix, printed two lines before | These $a_{ji}$.
-:reading: bernstein_matrix_is_the_matrix | with the entries of the coefficient matrix as they are, whatever is printed, and $t$ in the span
+:meant: the line before it, which gives the $a_{ji}$ of these knots, and from which it is concluded | The $a_{ji}$ are the numbers that are printed there.
+:reading: bernstein_functions_in_every_order | the $a_{ji}$ are the entries of the coefficient matrix as they are, whatever is printed, and $t$ is in the span
+:reading-with: outer_functions_are_made_of_outer_ones bernstein_powers_in_every_degree
 :corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones
-:corrected-by: bernstein_matrix_is_the_matrix
+:corrected-by: bernstein_functions_in_every_order outer_functions_are_made_of_outer_ones
+  bernstein_powers_in_every_degree
+:confirmed-by: bernstein_matrix_is_the_matrix
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
 :figure: bernstein_matrix
 :::

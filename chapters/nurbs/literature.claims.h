@@ -258,7 +258,8 @@ CLAIM(keys_have_the_years_of_their_entries)
 :printed: the references 1 to 19
 :holds-by: numbered_references_are_all_cited
 
-Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 has SIGGRAH for SIGGRAPH.
+Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 has SIGGRAH for SIGGRAPH, and the references 4, 7 and 8 have "its Application" in
+the name of IEEE Computer Graphics and Applications.
 :::
 
 :::{claim} numbered_references_are_all_cited

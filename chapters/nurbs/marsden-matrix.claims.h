@@ -281,7 +281,8 @@ The entries do not change when all knots move by one number, although $t_r$ stan
 :::{statement} wang-ch4:thm-4.4.3-equal
 :title: Two explicit matrices for the same representation
 :zh: 两种显式矩阵表示
-:printed: Marsden's identity gives another explicit form of the coefficient matrix (4.4.2); with (4.4.12) these are the two explicit matrix forms of the most general case (preface)
+:printed: Marsden's identity gives another explicit representation of the coefficient matrix of a NURBS curve; these are two explicit matrix representations of the most general case
+  (preface)
 :holds-by: printed_double_sum_gives_the_basis printed_cofactor_formula_gives_the_basis
 :confirmed-by: both_explicit_matrices_agree
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
@@ -400,8 +401,8 @@ does.
 :given: orders $k$, knots variables
 :then: $\det G=\prod(t_b-t_a)/\prod_j\binom{k-1}j$ over the pairs $a\le r<b$ with $b-a\le k-1$, as `marsden_determinant`
   computes it
-:method: The determinant of $G$ by (4.4.19), over all permutations up to $k=4$ and by Bird's algorithm for every $k$.  On a span that is not empty no factor is 0:
-  $t_a\le t_r<t_{r+1}\le t_b$, whatever knots coincide.
+:method: The determinant of $G$ by (4.4.19), over all permutations up to $k=4$ and by Bird's algorithm for every $k$.  Both are polynomials of the knots,
+  so that they agree for coincident ones, too.  On a span that is not empty no factor is 0: $t_a\le t_r<t_{r+1}\le t_b$.
 :degrees: 0..4 sampled 7
 :over: t#: knots
 :defines: marsden_determinant
@@ -502,23 +503,22 @@ CLAIM(empty_span_makes_g_singular)
 :title: The reason given: linear independence of the basis
 :zh: 由线性无关性推出 det G ≠ 0
 :printed: by the linear independence of the basis functions $\det\mathbf G_{r,k,T}\ne0$
-:class: invalid-proof
-:refuted-by: independent_functions_do_not_suffice
-:meant: the words basis functions (基函数), which in these sections are the B-splines | The independence of the $N_{i,k}$.
-:reading: singular_g_makes_powers_dependent | if the powers on the left of (4.4.21) are counted among the basis functions
-:corrected: by the linear independence of the powers on the left of (4.4.21), $\det\mathbf G_{r,k,T}\ne0$: a vector $c$ with
-  $\mathbf G^Tc=0$ gives $\sum c_\mu t^\mu=0$
-:corrected-by: singular_g_makes_powers_dependent marsden_step_for_every_order coefficients_of_marsden_in_every_order
+:holds-by: singular_g_makes_powers_dependent marsden_step_for_every_order coefficients_of_marsden_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
-:argued: every k | (4.4.21) is true for every $k$.  Applied to $c$ it is $\sum c_\mu t^\mu=\sum_i(\mathbf G^Tc)_iN_{i,k}(t)$.
+:argued: every k | (4.4.21) is true for every $k$.  Applied to a vector $c$ it is $\sum c_\mu t^\mu=\sum_i(\mathbf G^Tc)_iN_{i,k}(t)$; so
+  $\mathbf G^Tc=0$ makes the polynomial vanish on the span, and $c=0$, since the powers are independent.
+:meant: (4.4.21), of which the line is said and which has a basis on either side; the powers are called a basis (幂基) in definition 4.4.1 | The basis functions are those of
+  (4.4.21), the powers with the B-splines.
+:reading: singular_g_makes_powers_dependent | the functions on both sides of (4.4.21): those that are used are the powers
+:reading: independent_functions_do_not_suffice | the $N_{i,k}$ alone: that $k$ functions are independent does not say that $k$ combinations of them are
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 
-The independence of $k$ functions does not say that $k$ combinations of them are independent.
+The word (基函数) stands in this line only.
 :::
 
-The reason that the source gives is one of two halves.  The rows of $G$ express the powers by the B-splines, so a
-dependence of the rows is one of the powers; that the B-splines are independent does not enter.
+The rows of $G$ express the powers by the B-splines, so a dependence of the rows is one of the powers; that the B-splines are
+independent does not enter.
 
 :::{claim} singular_g_makes_powers_dependent
 :title: A combination of the rows of G is the combination of the powers
