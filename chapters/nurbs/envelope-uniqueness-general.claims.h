@@ -43,10 +43,12 @@ vanishing curvature or torsion, and its members have them.
   on the diagonal its derivatives are parallel to those of the curve, so that $R'\times R''$ is $\mathbf r'\times\mathbf r''$ times a factor which is not 0
   (`curvatures_have_a_fixed_ratio`).  So about a point of the diagonal $\tau=t$ is the only solution.  A continuous $\tau(t)$ of the closed span into itself has a
   point $\tau(t)=t$; such points are closed in the span, and by what was said open in it: they are the whole span.
+:reading-with: curvatures_have_a_fixed_ratio general_condition_is_that_of_the_level_before family_steps_along_the_tangent
+  derivative_by_tau_is_that_of_the_level_before
 :meant: (4.3.3) and (4.3.15), by which the section determines the envelope | The first and the second: all joint
   solutions.
 :corrected: beside $\tau=t$ the joint solutions are the pairs for which the member of the level before, $R=\mathbf r^{[k-r+1]}(\cdot,\tau)$, has
-  $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
+  $R'\times R''=0$ at $t$; there are none if the control points of the span, in their order, are the corners of a strictly convex polygon of a plane
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before convex_polygon_of_span_has_one_envelope
 :confirmed-by: second_envelopes_of_spans member_of_span_is_polar
@@ -163,7 +165,7 @@ and not a set of lines $t=t_0$.
   $v,V>0$ on the span.
 :where: the weights of the level before and of the member are not 0
 :degrees: all
-:over: e: step from t to τ; m; Q# v#: derivatives of the level before
+:over: e: step from t to τ; m: -; Q# v#: derivatives of the level before
 :control: $m$ in the place of $m^2$
 :::
 */
@@ -201,6 +203,7 @@ CLAIM(general_condition_is_that_of_the_level_before)
   r^{[k-r]}(t,\tau)}{\partial t}=\mathbf 0$, $t_j\le t,\tau<t_{j+1}$, $j=k,k+1,\dots,n$
 :holds-by: touching_curve_satisfies_the_condition
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-r]}\ne0$; as for (4.3.9), which is $r=1$
+:hypothesis: solutions_at_a_cusp_have_one_point | $\mathbf r^{[k-r]}$ is not constant on the solution; as for (4.3.9)
 :hypothesis: member_of_an_inflection_is_a_solution | $\tau$ is not constant on the solution: otherwise it is one member, as for $r=k-2$ that of an
   inflection
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each.
@@ -566,7 +569,7 @@ static int spans_have_their_letter(trial *T)
 :title: In four places the span has the letter of the sums
 :zh: 四处区间用了求和下标
 :kind: counterexample
-:given: the knot with which the span begins, in four places; everywhere else in these sections it is $t_j$
+:given: the knot with which the span begins, in four places; everywhere else in section 4.3.2 it is $t_j$
 :data: theorem 4.3.3 = "t_i"; difference of the weights = "t_i"; (4.3.17) = "t_i"; products of level r-2 = "t_i"
 :instead: theorem 4.3.3 = "t_j"; difference of the weights = "t_j"; (4.3.17) = "t_j"; products of level r-2 = "t_j"
 :then: none of the four is $t_j$

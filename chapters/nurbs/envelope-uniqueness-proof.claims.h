@@ -226,6 +226,7 @@ CLAIM(weighted_points_follow_the_recursion)
   curve is in a plane through the origin; not by solving for the terms | At $\tau=t$ the member has the point, the tangent and
   the osculating plane of the curve, so that the Wronskian of the coordinates of the curve is 0 for all $t$; the plane has the
   control points (`points_are_polar_values_of_the_segment`), and so those of every level.
+:reading-with: curvatures_have_a_fixed_ratio points_are_polar_values_of_the_segment
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors, with $\mathbf r^{[k-r+1]}(t,\tau)$ for $\mathbf r^{[r-1]}(t,\tau)$ as in
   `thm-4.3.3-alternatives`, is 0, so the products are 0 on every level
