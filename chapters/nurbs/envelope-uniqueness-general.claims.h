@@ -286,7 +286,8 @@ The formulas are right; at multiple knots they contain terms $0/0$, which stand 
 :zh: 第 r 层权随参数的变化
 :printed: (t_{i+k-r}-t_i)(w_i^{[r]}(\tau)-w_i^{[r]}(t))=(\tau-t)(w_i^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(\tau))+(t-t_i)(w_i^{[r-1]}(\tau)-w_i^{[r-1]}(t))
   +(t_{i+k-r}-t)(w_{i-1}^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(t)),\quad i=j-k+r+1,j-k+r+2,\dots,j;\ t_i\le t,\tau<t_{i+1}
-:holds-by: weights_of_two_parameters_differ_as_printed
+:holds-by: one_step_at_two_parameters divisors_contain_the_span
+:confirmed-by: weights_of_two_parameters_differ_as_printed
 :meant: (4.3.15), the formulas before it and the sums behind it, by which the span is that of $t_j$ | The range is $t_j\le t,\tau<t_{j+1}$, see
   `notation-4.3`.
 :figure: nurbs_envelope_square
@@ -294,6 +295,37 @@ The formulas are right; at multiple knots they contain terms $0/0$, which stand 
 The equation is an identity for any $t$ and $\tau$.
 :::
 
+:::{claim} one_step_at_two_parameters
+:title: One step of (4.1.3) at two parameters
+:zh: (4.1.3) 的一步在两个参数下之差
+:given: two knots $t_i\ne t_{i+k-r}$, any $t$ and $\tau$; any numbers for $w_{i-1}^{[r-1]}$ and $w_i^{[r-1]}$ at $\tau$, and any for them at $t$
+:then: the printed equation for the $w_i^{[r]}(\tau)$ and $w_i^{[r]}(t)$ that (4.1.3) makes of them
+:method: (4.1.3) by its letter, once at $\tau$ and once at $t$; everything a variable, so that it does not matter which order, level and index it is.  In the range of $i$ the
+  two knots are different: `divisors_contain_the_span`.
+:harmless: $t_i\ne t_{i+k-r}$ | they are on different sides of the span
+:degrees: all
+:over: u: knot; h: difference of two knots; w# v#: weights
+:control: $t-\tau$ in the place of $\tau-t$ in the first term
+:::
+*/
+CLAIM(one_step_at_two_parameters)
+{
+    num near = unknown(T, "u", 0), length = positive(T, "h", 0), far = add(near, length);
+    num t = parameter(T, "t"), tau = parameter(T, "s"), at[2] = {tau, t}, step[2];
+    num w[2][2]; /* w_{i-1} and w_i of level r-1, at τ and at t */
+    for (int m = 0; m < 2; m++) {
+        w[0][m] = unknown(T, "w", m);
+        w[1][m] = unknown(T, "v", m);
+    }
+    for (int c = 0; c < 2; c++)
+        step[c] = add(mul(div(sub(at[c], near), length), w[c][1]), mul(div(sub(far, at[c]), length), w[c][0]));
+    num first = mul(sub(fault(T, tau, t), fault(T, t, tau)), sub(w[0][1], w[0][0]));
+    num second = mul(sub(t, near), sub(w[0][1], w[1][1])), third = mul(sub(far, t), sub(w[0][0], w[1][0]));
+    /* (t_i+k-r - t_i)(w_i[r](τ) - w_i[r](t)) = the three printed terms */
+    same(T, mul(length, sub(step[0], step[1])), add(first, add(second, third)));
+}
+
+/*
 :::{claim} weights_of_two_parameters_differ_as_printed
 :title: The difference of the weights of two parameters
 :zh: 两个参数下权之差
