@@ -217,11 +217,12 @@ CLAIM(general_condition_is_that_of_the_level_before)
 :printed: in the joint solution of (4.3.3) and (4.3.15) $\tau=\tau(t)$
 :reading: general_condition_is_that_of_the_level_before | it says which solutions are looked for: as an agreement it decides nothing, but then the
   pairs of a line $t=t_0$ are left out, as by (4.3.10); which pairs there are beside $\tau=t$, the condition $R'\times R''=0$ says
+:reading-with: family_steps_along_the_tangent derivative_by_tau_is_that_of_the_level_before
 :reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: for $r=1$ the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: the quartic has a pair with $\tau\ne t$, one
   of those with $\tau(t)=-\frac1{4t}$ that `second_envelopes_of_spans` has
-:confirmed-by: derivative_by_tau_is_that_of_the_level_before second_envelopes_of_spans first_level_condition_factors
+:confirmed-by: second_envelopes_of_spans first_level_condition_factors
 :figure: nurbs_envelope_square
 
 What the proof cites under this number is in `thm-4.3.3-alternatives`.

@@ -21,6 +21,7 @@ held for all $t$ of the span.  If it does hold for all of them both conclusions 
 :reading: osculating_plane_meets_the_origin_once | at one $t$, from (4.3.12) alone, as the sentence says
 :reading: first_level_condition_factors | at one $t$ where (4.3.9) itself holds with $\tau\ne t$: there $\mathbf r'\times\mathbf r''=0$, and each
   product is 0 at this $t$, whatever the points are
+:reading-with: first_level_follows_the_tangent
 :reading: points_are_polar_values_of_the_segment | for all $t$ of the span, but not for this reason, the
   coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants | The Wronskian of the coordinates of $\mathbf r$ is 0,
   so they are linearly dependent, as for the corrected sentence; a plane through the origin that has the segment has its points.
@@ -498,6 +499,7 @@ CLAIM(folded_line_has_another_solution)
 :reading: first_level_condition_factors | only solutions of the form $\tau=\tau(t)$ with a continuous function, as (4.3.10) may be meant: then
   it is enough that (4.3.14) does not hold identically | Away from the isolated zeros of $\mathbf r'\times\mathbf r''$ the condition leaves
   $\tau=t$ only, and a continuous function has the same value at them.
+:reading-with: first_level_follows_the_tangent
 :figure: nurbs_envelope_extra
 :::
 

@@ -167,6 +167,7 @@ CLAIM(solutions_at_a_cusp_have_one_point)
 :printed: in the joint solution of (4.3.3) and (4.3.9) $\tau=\tau(t)$
 :reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it decides nothing, but then a
   line $t=t_0$ of the square is left out of the envelope by agreement
+:reading-with: first_level_follows_the_tangent
 :reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: the lines
   $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf

@@ -7,7 +7,8 @@ FIGURE(nurbs_second_line)
         "nurbs_second_line", "The line that every member touches",
         "The cubic (t, t³) on one span of uniform knots, r = 1.  Left the square of the pairs (t, τ): the condition of "
         "the envelope holds on the diagonal "
-        "and on the line t = 0.  Right the members, parabolas and, for τ = 0, the axis y = 0: each parabola touches the "
+        "and on the line t = 0.  Right the members, parabolas and, for τ = 0, the axis y = 0: each parabola touches "
+        "the "
         "cubic once and the axis once.");
     static const int x[4] = {0, 1}, y[4] = {0, 0, 0, 1};
     struct nurbs c = one_span(3, 1, x, y);
