@@ -524,7 +524,7 @@ CLAIM(weighted_points_by_sums_over_the_level_before)
 :given: a cubic span $[t_j,t_{j+1})$, $j=k$, of the knots $t_i$, $t_j$ being triple; $r$
 :data: k = 4; r = 2; t_i = 0 3 3 3 4 5 6 7
 :instead: t_i = 0 1 2 3 4 5 6 7
-:then: a divisor $t_{i+k-r}-t_i$ with $j-k+r\le i\le j$ is 0
+:then: a divisor $t_{i+k-r}-t_i$ with $j-k+r\le i\le j+1$ is 0
 :result: divisors that are 0 = 1; i = 2
 :method: All these divisors are computed; that none is 0 is what is compared.
 :control: simple knots
@@ -536,7 +536,7 @@ CLAIM(first_term_of_the_chain_divides_by_zero)
     int k = given_whole(T, "k"), r = given_whole(T, "r"), j = k, zeros = 0, index = 0;
     num t[MOST + 1];
     given_points(T, "t_i", 2 * k, 1, t + 1);
-    for (int i = j - k + r; i <= j; i++)
+    for (int i = j - k + r; i <= j + 1; i++)
         if (is_zero_q(sub(t[i + k - r], t[i]))) {
             zeros++;
             index = i;
