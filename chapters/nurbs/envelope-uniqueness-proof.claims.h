@@ -176,7 +176,6 @@ but to solve these equations backwards there is one of them too few.
   $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$, for what (4.1.3) and (4.1.4) make of them
 :method: Weight and point by their letter; everything a variable, so that it does not matter which order, level and index it is.  In the range of $i$ the
   two knots are different: `divisors_contain_the_span`, with $r-1$ for $r$.
-:harmless: $t_i\ne t_{i+k-r+1}$ | they are on different sides of the span
 :degrees: all
 :over: u: knot; h: difference of two knots; A# B#: vectors
 :control: $1-\alpha$ and $\alpha$ exchanged
