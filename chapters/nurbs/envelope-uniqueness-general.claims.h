@@ -76,6 +76,8 @@ recursions.
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order | With the polar form $f$ of the segment $P^{[r]}=f[\tau^r,t^{k-1-r}]$, which is affine in each argument: it is $f[\tau^{r-1},t^{k-r}]+(\tau-t)f[\tau^{r-1},t^{k-1-r},\delta]$,
+  $\delta$ being the direction, and the derivative by $t$ of $f[\tau^{r-1},t^{k-r}]$ is $(k-r)f[\tau^{r-1},t^{k-1-r},\delta]$.
 :control: the divisor $k-r+1$
 :::
 */
@@ -115,6 +117,8 @@ CLAIM(family_steps_along_the_tangent)
   right side by the levels of de Boor's triangle and the derivatives of a segment.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order | With the polar form $f$ of the segment and the direction $\delta$: the derivative of $f[\tau^r,t^{k-1-r}]$ by $\tau$ is $r\,f[\tau^{r-1},t^{k-1-r},\delta]$, that of
+  $f[\tau^{r-1},t^{k-r}]$ by $t$ is $(k-r)f[\tau^{r-1},t^{k-1-r},\delta]$.
 :control: the factor $\frac{r}{k-r+1}$
 :::
 */
@@ -406,6 +410,8 @@ includes, the values are limits from the left.
 :method: Every expression by its letter, term by term.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order | The second expression is the first with (4.3.4) for one level.  The difference of the weights is that of `thm-4.3.3-difference`, divided by $t_{i+k-r}-t_i$; in the
+  order of the $w_i^{[r-1]}$ it gives the third.  Its brackets are the derivative of $N_{i,k-r+1}$ divided by $k-r$, and $N_{i,k-r+1}$ by its recursion.
 :control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
 :::
 */
@@ -487,6 +493,7 @@ CLAIM(level_by_sums_over_the_level_before)
 :method: The points by (4.1.4), which divides by weights; every expression by its letter, term by term.  A coordinate is any coordinate, so one suffices.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order | By (4.1.4) the products $w_i^{[r]}\mathbf r_i^{[r]}$ follow the recursion (4.1.3) of the weights, from which alone the steps were made.
 :control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
 :::
 */
@@ -635,9 +642,12 @@ CLAIM(span_has_its_own_letter) { agree(T, spans_have_their_letter(T)); }
 :zh: 分子的类似等式
 :printed: with $w_i^{[r]}(\tau)\mathbf r_i^{[r]}(\tau)$ in the place of $w_i^{[r]}(\tau)$ a similar equation holds
 :holds-by: weighted_points_by_sums_over_the_level_before
-:confirmed-by: family_steps_along_the_tangent level_by_sums_over_the_level_before
+:confirmed-by: family_steps_along_the_tangent level_by_sums_over_the_level_before extrapolated_members_keep_positive_weights_inside
 :meant: the equation that is varied, `thm-4.3.3-chain` | The last two sums begin at $i=j-k+r$, and $0/0$ counts as $0$, as in that equation put right.
 :figure: nurbs_envelope_square
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.17
@@ -647,10 +657,13 @@ CLAIM(span_has_its_own_letter) { agree(T, spans_have_their_letter(T)); }
   p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf r_i^{[r-1]}(\tau),\quad t_i\le t,\tau<t_{i+1}
 :definition: yes
 :checked-by: member_of_span_is_polar
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :meant: the sums, whose span is that of $t_j$ | The range is $t_j\le t,\tau<t_{j+1}$, see `notation-4.3`.
 :figure: order_and_level
 
 Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript counts levels, there it is the order.
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.18
@@ -659,7 +672,11 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :printed: w^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}w^{[r-1]}(t,\tau)+w^{[r-1]}(t,\tau),\qquad\mathbf
   p^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}\mathbf p^{[r-1]}(t,\tau)+\mathbf p^{[r-1]}(t,\tau),\quad t_j\le t,\tau<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: family_steps_along_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_square
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 */
 

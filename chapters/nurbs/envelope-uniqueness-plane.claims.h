@@ -52,6 +52,8 @@ the whole segment holds for its polar form, and the control points are values of
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :where: no weight is 0
+:argued: every order | By the recursion of de Boor the curve of the points $f[t_{i+1},\dots,t_{i+k-1}]$ is on the span the polynomial $f[t^{k-1}]$, since $f$ is affine in each
+  argument; and the $N_{i,k}$ of a span are linearly independent on it, so that no other points have this segment.
 :control: the knots from $t_i$ on
 :::
 */
@@ -206,9 +208,12 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 :printed: hence one may put $\mathbf r_i=(x_i,y_i,0)$, $\mathbf r(t)=(x(t),y(t),0)$, $\mathbf
   r^{[k-1]}(t,\tau)=(x^{[k-1]}(t,\tau),y^{[k-1]}(t,\tau),0)$
 :holds-by: family_moves_with_its_points
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
 
 That two derivatives are parallel does not depend on the coordinates.
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 To turn the plane of the points into $z=0$ one has to know that the construction does not depend on coordinates.  The
@@ -228,6 +233,8 @@ and their derivatives its linear part.
   second does.  A linear map that can be inverted keeps parallel vectors parallel, and makes none so.
 :degrees: 2..4 sampled 6
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 4, numbers above
+:argued: every order | A member is a mean of the points with factors that add up to 1 and in which the points are not.  So it goes with them under $\ell$, and its derivatives, whose
+  factors add up to 0, under the linear part.
 :over: l#: affine functions
 :control: $c$ left out at the last point
 :::
@@ -286,9 +293,12 @@ CLAIM(family_moves_with_its_points)
 :zh: 平面情形的等价条件
 :printed: (4.3.13) is equivalent to $(\tau-t)[x'(t)y''(t)-x''(t)y'(t)]=0$
 :holds-by: first_level_condition_factors first_level_follows_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
 
 The factor between them is $w^3/((k-1)^2W^3)$, which is not 0.
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.14
@@ -387,7 +397,11 @@ CLAIM(inflected_cubic_is_not_straight)
 :printed: that $\mathbf r(t)$ is a straight segment implies that $\mathbf r_i$, $i=j-k+1,\dots,j$, are collinear, so
   that every member is on this line
 :holds-by: points_are_polar_values_of_the_segment member_of_span_is_polar
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_folded_line
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-on-a-line
@@ -490,6 +504,7 @@ CLAIM(folded_line_has_another_solution)
 :zh: 否则必有 τ=t
 :printed: if (4.3.14) does not hold, (4.3.11) must hold, and put into (4.3.3), $r=1$, it shows that the envelope of the family is $\mathbf r(t)$
 :holds-by: first_level_condition_factors first_level_follows_the_tangent member_of_span_touches_curve
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold
   identically is not enough
 :meant: (4.3.3) and (4.3.9), by which the section determines the envelope | All joint solutions, as in theorem 4.3.2.
@@ -501,6 +516,9 @@ CLAIM(folded_line_has_another_solution)
   $\tau=t$ only, and a continuous function has the same value at them.
 :reading-with: first_level_follows_the_tangent
 :figure: nurbs_envelope_extra
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 So the theorem fails at every inflection, and it fails visibly: the members of the cubic $(t,t^3)$ are parabolas, and

@@ -157,10 +157,13 @@ CLAIM(member_osculates_a_plane_through_the_origin)
   r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$,
   $i=j-k+r,j-k+r+1,\dots,j$, $t_j\le t,\tau<t_{j+1}$
 :holds-by: one_step_of_weighted_points divisors_contain_the_span
-:confirmed-by: weighted_points_follow_the_recursion
+:confirmed-by: weighted_points_follow_the_recursion extrapolated_members_keep_positive_weights_inside
 :meant: (4.1.4), by which the points of the levels are $\mathbf r_i^{[r]}$, while no $\mathbf p_i^{[r]}$ is defined | $\mathbf r_i$ for $\mathbf p_i$,
   and $r\ge2$, so that there is a level $r-2$.
 :figure: points_off_the_plane
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 The triple product with two fixed vectors is a linear function, and every linear function of the weighted points obeys

@@ -200,6 +200,8 @@ first derivative at $t$, followed as far as $\tau-t$, with the factor $\frac1{k-
 :then: the printed sums are the derivative divided by $k-1$
 :method: The sums by their letter against the sum with the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
+:argued: every order | With the polar form $f$ of the segment $c_i=f[t_{i+1},\dots,t_{i+k-1}]$; it is affine in each argument, so that the printed quotient of differences is
+  $f[t_{i+1},\dots,t_{i+k-2},\delta]$, $\delta$ being the direction.  These are the points over the same knots of $f[t^{k-2},\delta]$, which is the derivative divided by $k-1$.
 :over: c#: weights and coordinates of weighted points
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the divisors doubled
@@ -236,7 +238,11 @@ CLAIM(differences_of_span_give_the_derivative)
 :printed: \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)=\frac{\tau-t}{k-1}w'(t)+w(t),\qquad
   \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)\mathbf r_i^{[1]}(\tau)=\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)
 :holds-by: first_level_follows_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{claim} first_level_follows_the_tangent
@@ -250,6 +256,8 @@ CLAIM(differences_of_span_give_the_derivative)
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order | The sums are $f[\tau,t^{k-2}]$ with the polar form $f$ of the segment in homogeneous coordinates, which is affine in $\tau$: it is
+  $f[t^{k-1}]+(\tau-t)f[t^{k-2},\delta]$, $\delta$ being the direction, and the derivative of $f[t^{k-1}]$ is $(k-1)f[t^{k-2},\delta]$.
 :control: the factor $\frac1{k-1}$ replaced by $\frac1k$
 :::
 */
@@ -284,9 +292,12 @@ tangent of the curve at $t$.
 :printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf
   r^{[k-1]}(t,\tau)}{\partial\tau}=w^2(t)\,\mathbf r'(t)
 :holds-by: derivatives_of_the_first_member first_level_follows_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
 
 The words before it are lost in the copy at hand.
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-by-t
@@ -296,7 +307,11 @@ The words before it are lost in the copy at hand.
   t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]\mathbf p''(t)-w''(t)\Bigl[\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf
   p(t)\Bigr]\Bigr\}+(k-2)w^2(t)\mathbf r'(t)
 :holds-by: derivatives_of_the_first_member first_level_follows_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 */
 
@@ -350,7 +365,11 @@ $w''$ three numbers, all of them variables, and so is $k$.
 :printed: (4.3.9) is equivalent to $(\tau-t)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr][\mathbf r'(t)\times\mathbf p''(t)]=(\tau-t)\,w''(t)\Bigl\{\mathbf
   r'(t)\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)\Bigr]\Bigr\}$
 :holds-by: first_level_condition_as_printed first_level_follows_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 */
 
@@ -608,9 +627,12 @@ CLAIM(product_with_second_derivative_says_nothing)
 :zh: 第一种情形:τ=t
 :printed: \tau(t)=t
 :holds-by: envelope_condition_holds_on_the_diagonal member_of_span_touches_curve
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
 
 It solves (4.3.9), and its points are those of the curve.
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.12
