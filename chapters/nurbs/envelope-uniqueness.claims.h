@@ -35,6 +35,7 @@ inflection: it is touched by every member that does not stand still there.
   (4.3.10) may be meant, if $\mathbf r'\times\mathbf r''$ is not 0 identically: the lines $t=t_0$ are then left out |
   Away from the isolated zeros of $\mathbf r'\times\mathbf r''$ the condition leaves $\tau=t$ only, and a continuous function has
   the same value at them.
+:reading-with: first_level_follows_the_tangent
 :reading: folded_line_has_another_solution | the same when $\mathbf r'\times\mathbf r''$ is 0 identically, a case which the proof includes
 :corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the
   points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$, $W$ being the denominator of the member; hence, unless
@@ -140,7 +141,7 @@ CLAIM(member_that_stands_still_is_not_touched)
 :then: (4.3.9) is satisfied by both, with $\partial_tX\ne0$; the two points are one, so that the solutions about the pairs, the line $t=0$, are no curve that could be tangent
 :result: r_i = (23/3,-15) (-1/3,3) (-1/3,-3) (23/3,15); point of the member = (0,0); its derivatives by t and τ = (1/3,0) (0,0); point of the other member = (0,0)
 :method: Members and derivatives by their points over the knots.  By `first_level_condition_factors` the solutions beside $\tau=t$ are the zeros of
-  $\mathbf r'\times\mathbf r''=6t^2$, and on $t=0$ the point is $\mathbf r(0)+\frac{\tau}{k-1}\mathbf r'(0)$ for every $\tau$.
+  $\mathbf r'\times\mathbf r''$, of $t^2$ up to a factor, and on $t=0$ the point is $\mathbf r(0)+\frac{\tau}{k-1}\mathbf r'(0)$ for every $\tau$.
 :control: the inflection of $(t,t^3)$, whose solutions have a segment of points
 :::
 */
