@@ -76,7 +76,7 @@ recursions.
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | With the polar form $f$ of the segment $P^{[r]}=f[\tau^r,t^{k-1-r}]$, which is affine in each argument: it is $f[\tau^{r-1},t^{k-r}]+(\tau-t)f[\tau^{r-1},t^{k-1-r},\delta]$,
+:argued: every order and all knots | With the polar form $f$ of the segment $P^{[r]}=f[\tau^r,t^{k-1-r}]$, which is affine in each argument: it is $f[\tau^{r-1},t^{k-r}]+(\tau-t)f[\tau^{r-1},t^{k-1-r},\delta]$,
   $\delta$ being the direction, and the derivative by $t$ of $f[\tau^{r-1},t^{k-r}]$ is $(k-r)f[\tau^{r-1},t^{k-1-r},\delta]$.
 :control: the divisor $k-r+1$
 :::
@@ -117,7 +117,7 @@ CLAIM(family_steps_along_the_tangent)
   right side by the levels of de Boor's triangle and the derivatives of a segment.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | With the polar form $f$ of the segment and the direction $\delta$: the derivative of $f[\tau^r,t^{k-1-r}]$ by $\tau$ is $r\,f[\tau^{r-1},t^{k-1-r},\delta]$, that of
+:argued: every order and all knots | With the polar form $f$ of the segment and the direction $\delta$: the derivative of $f[\tau^r,t^{k-1-r}]$ by $\tau$ is $r\,f[\tau^{r-1},t^{k-1-r},\delta]$, that of
   $f[\tau^{r-1},t^{k-r}]$ by $t$ is $(k-r)f[\tau^{r-1},t^{k-1-r},\delta]$.
 :control: the factor $\frac{r}{k-r+1}$
 :::
@@ -410,7 +410,7 @@ includes, the values are limits from the left.
 :method: Every expression by its letter, term by term.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | The second expression is the first with (4.3.4) for one level.  The difference of the weights is that of `thm-4.3.3-difference`, divided by $t_{i+k-r}-t_i$; in the
+:argued: every order and all knots | The second expression is the first with (4.3.4) for one level.  The difference of the weights is that of `thm-4.3.3-difference`, divided by $t_{i+k-r}-t_i$; in the
   order of the $w_i^{[r-1]}$ it gives the third.  Its brackets are the derivative of $N_{i,k-r+1}$ divided by $k-r$, and $N_{i,k-r+1}$ by its recursion.
 :control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
 :::
@@ -493,7 +493,7 @@ CLAIM(level_by_sums_over_the_level_before)
 :method: The points by (4.1.4), which divides by weights; every expression by its letter, term by term.  A coordinate is any coordinate, so one suffices.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | By (4.1.4) the products $w_i^{[r]}\mathbf r_i^{[r]}$ follow the recursion (4.1.3) of the weights, from which alone the steps were made.
+:argued: every order and all knots | By (4.1.4) the products $w_i^{[r]}\mathbf r_i^{[r]}$ follow the recursion (4.1.3) of the weights, from which alone the steps were made.
 :control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
 :::
 */

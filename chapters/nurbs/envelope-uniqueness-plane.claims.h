@@ -52,7 +52,7 @@ the whole segment holds for its polar form, and the control points are values of
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :where: no weight is 0
-:argued: every order | By the recursion of de Boor the curve of the points $f[t_{i+1},\dots,t_{i+k-1}]$ is on the span the polynomial $f[t^{k-1}]$, since $f$ is affine in each
+:argued: every order and all knots | By the recursion of de Boor the curve of the points $f[t_{i+1},\dots,t_{i+k-1}]$ is on the span the polynomial $f[t^{k-1}]$, since $f$ is affine in each
   argument; and the $N_{i,k}$ of a span are linearly independent on it, so that no other points have this segment.
 :control: the knots from $t_i$ on
 :::
@@ -233,7 +233,7 @@ and their derivatives its linear part.
   second does.  A linear map that can be inverted keeps parallel vectors parallel, and makes none so.
 :degrees: 2..4 sampled 6
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 4, numbers above
-:argued: every order | A member is a mean of the points with factors that add up to 1 and in which the points are not.  So it goes with them under $\ell$, and its derivatives, whose
+:argued: every order and all knots | A member is a mean of the points with factors that add up to 1 and in which the points are not.  So it goes with them under $\ell$, and its derivatives, whose
   factors add up to 0, under the linear part.
 :over: l#: affine functions
 :control: $c$ left out at the last point

@@ -201,7 +201,7 @@ first derivative at $t$, followed as far as $\tau-t$, with the factor $\frac1{k-
 :then: the printed sums are the derivative divided by $k-1$
 :method: The sums by their letter against the sum with the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
-:argued: every order | With the polar form $f$ of the segment $c_i=f[t_{i+1},\dots,t_{i+k-1}]$; it is affine in each argument, so that the printed quotient of differences is
+:argued: every order and all knots | With the polar form $f$ of the segment $c_i=f[t_{i+1},\dots,t_{i+k-1}]$; it is affine in each argument, so that the printed quotient of differences is
   $f[t_{i+1},\dots,t_{i+k-2},\delta]$, $\delta$ being the direction.  These are the points over the same knots of $f[t^{k-2},\delta]$, which is the derivative divided by $k-1$.
 :over: c#: weights and coordinates of weighted points
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
@@ -257,8 +257,8 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | The sums are $f[\tau,t^{k-2}]$ with the polar form $f$ of the segment in homogeneous coordinates, which is affine in $\tau$: it is
-  $f[t^{k-1}]+(\tau-t)f[t^{k-2},\delta]$, $\delta$ being the direction, and the derivative of $f[t^{k-1}]$ is $(k-1)f[t^{k-2},\delta]$.
+:argued: every order and all knots | With the polar form $f$ of the segment in homogeneous coordinates the sums are $f[\tau,t^{k-2}]$, which is affine in $\tau$, the value $f(t)$ for $\tau=t$, and has
+  the derivative $f[\delta,t^{k-2}]=\frac1{k-1}f'(t)$ by $\tau$, $\delta$ being the direction.
 :control: the factor $\frac1{k-1}$ replaced by $\frac1k$
 :::
 */
