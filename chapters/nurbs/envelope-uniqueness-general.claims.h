@@ -43,10 +43,12 @@ vanishing curvature or torsion, and its members have them.
   on the diagonal its derivatives are parallel to those of the curve, so that $R'\times R''$ is $\mathbf r'\times\mathbf r''$ times a factor which is not 0
   (`curvatures_have_a_fixed_ratio`).  So about a point of the diagonal $\tau=t$ is the only solution.  A continuous $\tau(t)$ of the closed span into itself has a
   point $\tau(t)=t$; such points are closed in the span, and by what was said open in it: they are the whole span.
+:reading-with: curvatures_have_a_fixed_ratio general_condition_is_that_of_the_level_before family_steps_along_the_tangent
+  derivative_by_tau_is_that_of_the_level_before
 :meant: (4.3.3) and (4.3.15), by which the section determines the envelope | The first and the second: all joint
   solutions.
 :corrected: beside $\tau=t$ the joint solutions are the pairs for which the member of the level before, $R=\mathbf r^{[k-r+1]}(\cdot,\tau)$, has
-  $R'\times R''=0$ at $t$; there are none if the control polygon of the span is plane and strictly convex
+  $R'\times R''=0$ at $t$; there are none if the control points of the span, in their order, are the corners of a strictly convex polygon of a plane
 :corrected-by: general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before convex_polygon_of_span_has_one_envelope
 :confirmed-by: second_envelopes_of_spans member_of_span_is_polar
@@ -74,6 +76,8 @@ recursions.
 :method: Both levels by (4.1.3), (4.1.4), the derivative by those of the B-splines; numerator and denominator.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | With the polar form $f$ of the segment $P^{[r]}=f[\tau^r,t^{k-1-r}]$, which is affine in each argument: it is $f[\tau^{r-1},t^{k-r}]+(\tau-t)f[\tau^{r-1},t^{k-1-r},\delta]$,
+  $\delta$ being the direction, and the derivative by $t$ of $f[\tau^{r-1},t^{k-r}]$ is $(k-r)f[\tau^{r-1},t^{k-1-r},\delta]$.
 :control: the divisor $k-r+1$
 :::
 */
@@ -113,6 +117,8 @@ CLAIM(family_steps_along_the_tangent)
   right side by the levels of de Boor's triangle and the derivatives of a segment.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | With the polar form $f$ of the segment and the direction $\delta$: the derivative of $f[\tau^r,t^{k-1-r}]$ by $\tau$ is $r\,f[\tau^{r-1},t^{k-1-r},\delta]$, that of
+  $f[\tau^{r-1},t^{k-r}]$ by $t$ is $(k-r)f[\tau^{r-1},t^{k-1-r},\delta]$.
 :control: the factor $\frac{r}{k-r+1}$
 :::
 */
@@ -163,7 +169,7 @@ and not a set of lines $t=t_0$.
   $v,V>0$ on the span.
 :where: the weights of the level before and of the member are not 0
 :degrees: all
-:over: e: step from t to τ; m; Q# v#: derivatives of the level before
+:over: e: step from t to τ; m: -; Q# v#: derivatives of the level before
 :control: $m$ in the place of $m^2$
 :::
 */
@@ -201,6 +207,7 @@ CLAIM(general_condition_is_that_of_the_level_before)
   r^{[k-r]}(t,\tau)}{\partial t}=\mathbf 0$, $t_j\le t,\tau<t_{j+1}$, $j=k,k+1,\dots,n$
 :holds-by: touching_curve_satisfies_the_condition
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-r]}\ne0$; as for (4.3.9), which is $r=1$
+:hypothesis: solutions_at_a_cusp_have_one_point | $\mathbf r^{[k-r]}$ is not constant on the solution; as for (4.3.9)
 :hypothesis: member_of_an_inflection_is_a_solution | $\tau$ is not constant on the solution: otherwise it is one member, as for $r=k-2$ that of an
   inflection
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each.
@@ -214,11 +221,12 @@ CLAIM(general_condition_is_that_of_the_level_before)
 :printed: in the joint solution of (4.3.3) and (4.3.15) $\tau=\tau(t)$
 :reading: general_condition_is_that_of_the_level_before | it says which solutions are looked for: as an agreement it decides nothing, but then the
   pairs of a line $t=t_0$ are left out, as by (4.3.10); which pairs there are beside $\tau=t$, the condition $R'\times R''=0$ says
+:reading-with: family_steps_along_the_tangent derivative_by_tau_is_that_of_the_level_before
 :reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: for $r=1$ the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :reading: convex_quartic_of_span_has_second_envelope | it is $\tau=t$, as where the proof cites it: the quartic has a pair with $\tau\ne t$, one
   of those with $\tau(t)=-\frac1{4t}$ that `second_envelopes_of_spans` has
-:confirmed-by: derivative_by_tau_is_that_of_the_level_before second_envelopes_of_spans first_level_condition_factors
+:confirmed-by: second_envelopes_of_spans first_level_condition_factors
 :figure: nurbs_envelope_square
 
 What the proof cites under this number is in `thm-4.3.3-alternatives`.
@@ -283,7 +291,8 @@ The formulas are right; at multiple knots they contain terms $0/0$, which stand 
 :zh: 第 r 层权随参数的变化
 :printed: (t_{i+k-r}-t_i)(w_i^{[r]}(\tau)-w_i^{[r]}(t))=(\tau-t)(w_i^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(\tau))+(t-t_i)(w_i^{[r-1]}(\tau)-w_i^{[r-1]}(t))
   +(t_{i+k-r}-t)(w_{i-1}^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(t)),\quad i=j-k+r+1,j-k+r+2,\dots,j;\ t_i\le t,\tau<t_{i+1}
-:holds-by: weights_of_two_parameters_differ_as_printed
+:holds-by: one_step_at_two_parameters divisors_contain_the_span
+:confirmed-by: weights_of_two_parameters_differ_as_printed
 :meant: (4.3.15), the formulas before it and the sums behind it, by which the span is that of $t_j$ | The range is $t_j\le t,\tau<t_{j+1}$, see
   `notation-4.3`.
 :figure: nurbs_envelope_square
@@ -291,6 +300,37 @@ The formulas are right; at multiple knots they contain terms $0/0$, which stand 
 The equation is an identity for any $t$ and $\tau$.
 :::
 
+:::{claim} one_step_at_two_parameters
+:title: One step of (4.1.3) at two parameters
+:zh: (4.1.3) 的一步在两个参数下之差
+:given: two knots $t_i\ne t_{i+k-r}$, any $t$ and $\tau$; any numbers for $w_{i-1}^{[r-1]}$ and $w_i^{[r-1]}$ at $\tau$, and any for them at $t$
+:then: the printed equation for the $w_i^{[r]}(\tau)$ and $w_i^{[r]}(t)$ that (4.1.3) makes of them
+:method: (4.1.3) by its letter, once at $\tau$ and once at $t$; everything a variable, so that it does not matter which order, level and index it is.  In the range of $i$ the
+  two knots are different: `divisors_contain_the_span`.
+:harmless: $t_i\ne t_{i+k-r}$ | they are on different sides of the span
+:degrees: all
+:over: u: knot; h: difference of two knots; w# v#: weights
+:control: $t-\tau$ in the place of $\tau-t$ in the first term
+:::
+*/
+CLAIM(one_step_at_two_parameters)
+{
+    num near = unknown(T, "u", 0), length = positive(T, "h", 0), far = add(near, length);
+    num t = parameter(T, "t"), tau = parameter(T, "s"), at[2] = {tau, t}, step[2];
+    num w[2][2]; /* w_{i-1} and w_i of level r-1, at τ and at t */
+    for (int m = 0; m < 2; m++) {
+        w[0][m] = unknown(T, "w", m);
+        w[1][m] = unknown(T, "v", m);
+    }
+    for (int c = 0; c < 2; c++)
+        step[c] = add(mul(div(sub(at[c], near), length), w[c][1]), mul(div(sub(far, at[c]), length), w[c][0]));
+    num first = mul(sub(fault(T, tau, t), fault(T, t, tau)), sub(w[0][1], w[0][0]));
+    num second = mul(sub(t, near), sub(w[0][1], w[1][1])), third = mul(sub(far, t), sub(w[0][0], w[1][0]));
+    /* (t_i+k-r - t_i)(w_i[r](τ) - w_i[r](t)) = the three printed terms */
+    same(T, mul(length, sub(step[0], step[1])), add(first, add(second, third)));
+}
+
+/*
 :::{claim} weights_of_two_parameters_differ_as_printed
 :title: The difference of the weights of two parameters
 :zh: 两个参数下权之差
@@ -370,6 +410,8 @@ includes, the values are limits from the left.
 :method: Every expression by its letter, term by term.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | The second expression is the first with (4.3.4) for one level.  The difference of the weights is that of `thm-4.3.3-difference`, divided by $t_{i+k-r}-t_i$; in the
+  order of the $w_i^{[r-1]}$ it gives the third.  Its brackets are the derivative of $N_{i,k-r+1}$ divided by $k-r$, and $N_{i,k-r+1}$ by its recursion.
 :control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
 :::
 */
@@ -451,6 +493,7 @@ CLAIM(level_by_sums_over_the_level_before)
 :method: The points by (4.1.4), which divides by weights; every expression by its letter, term by term.  A coordinate is any coordinate, so one suffices.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | By (4.1.4) the products $w_i^{[r]}\mathbf r_i^{[r]}$ follow the recursion (4.1.3) of the weights, from which alone the steps were made.
 :control: the factor $\frac{\tau-t}{k-r}$ replaced by $\frac{\tau-t}{k-r+1}$ in the last
 :::
 */
@@ -488,7 +531,7 @@ CLAIM(weighted_points_by_sums_over_the_level_before)
 :given: a cubic span $[t_j,t_{j+1})$, $j=k$, of the knots $t_i$, $t_j$ being triple; $r$
 :data: k = 4; r = 2; t_i = 0 3 3 3 4 5 6 7
 :instead: t_i = 0 1 2 3 4 5 6 7
-:then: a divisor $t_{i+k-r}-t_i$ with $j-k+r\le i\le j$ is 0
+:then: a divisor $t_{i+k-r}-t_i$ with $j-k+r\le i\le j+1$ is 0
 :result: divisors that are 0 = 1; i = 2
 :method: All these divisors are computed; that none is 0 is what is compared.
 :control: simple knots
@@ -500,7 +543,7 @@ CLAIM(first_term_of_the_chain_divides_by_zero)
     int k = given_whole(T, "k"), r = given_whole(T, "r"), j = k, zeros = 0, index = 0;
     num t[MOST + 1];
     given_points(T, "t_i", 2 * k, 1, t + 1);
-    for (int i = j - k + r; i <= j; i++)
+    for (int i = j - k + r; i <= j + 1; i++)
         if (is_zero_q(sub(t[i + k - r], t[i]))) {
             zeros++;
             index = i;
@@ -566,7 +609,7 @@ static int spans_have_their_letter(trial *T)
 :title: In four places the span has the letter of the sums
 :zh: 四处区间用了求和下标
 :kind: counterexample
-:given: the knot with which the span begins, in four places; everywhere else in these sections it is $t_j$
+:given: the knot with which the span begins, in four places; everywhere else in section 4.3.2 it is $t_j$
 :data: theorem 4.3.3 = "t_i"; difference of the weights = "t_i"; (4.3.17) = "t_i"; products of level r-2 = "t_i"
 :instead: theorem 4.3.3 = "t_j"; difference of the weights = "t_j"; (4.3.17) = "t_j"; products of level r-2 = "t_j"
 :then: none of the four is $t_j$
@@ -599,9 +642,12 @@ CLAIM(span_has_its_own_letter) { agree(T, spans_have_their_letter(T)); }
 :zh: 分子的类似等式
 :printed: with $w_i^{[r]}(\tau)\mathbf r_i^{[r]}(\tau)$ in the place of $w_i^{[r]}(\tau)$ a similar equation holds
 :holds-by: weighted_points_by_sums_over_the_level_before
-:confirmed-by: family_steps_along_the_tangent level_by_sums_over_the_level_before
+:confirmed-by: family_steps_along_the_tangent level_by_sums_over_the_level_before extrapolated_members_keep_positive_weights_inside
 :meant: the equation that is varied, `thm-4.3.3-chain` | The last two sums begin at $i=j-k+r$, and $0/0$ counts as $0$, as in that equation put right.
 :figure: nurbs_envelope_square
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.17
@@ -611,10 +657,13 @@ CLAIM(span_has_its_own_letter) { agree(T, spans_have_their_letter(T)); }
   p^{[r-1]}(t,\tau)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)w_i^{[r-1]}(\tau)\mathbf r_i^{[r-1]}(\tau),\quad t_i\le t,\tau<t_{i+1}
 :definition: yes
 :checked-by: member_of_span_is_polar
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :meant: the sums, whose span is that of $t_j$ | The range is $t_j\le t,\tau<t_{j+1}$, see `notation-4.3`.
 :figure: order_and_level
 
 Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript counts levels, there it is the order.
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.18
@@ -623,7 +672,11 @@ Their quotient is $\mathbf r^{[k-r+1]}(t,\tau)$ of (4.3.3): here the superscript
 :printed: w^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}w^{[r-1]}(t,\tau)+w^{[r-1]}(t,\tau),\qquad\mathbf
   p^{[r]}(t,\tau)=\frac{\tau-t}{k-r}\frac\partial{\partial t}\mathbf p^{[r-1]}(t,\tau)+\mathbf p^{[r-1]}(t,\tau),\quad t_j\le t,\tau<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: family_steps_along_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_square
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 */
 

@@ -126,7 +126,7 @@ FIGURE(divisor_zero)
         svg_new("divisor_zero", "A divisor of the chain that is zero",
                 "The knots 0, 3, 3, 3, 4, 5, 6, 7 and the intervals whose lengths are the divisors of the chain on "
                 "the span from 3 to 4 for r = 2: the first of them is a point.");
-    svg_panel(s, window(r(-1, 2), q(-3), r(15, 2), r(3, 2)), 460, 210,
+    svg_panel(s, window(r(-1, 2), r(-15, 4), r(15, 2), r(3, 2)), 460, 210,
               "$k=4$, $r=2$, $j=4$: the span $[t_4,t_5)=[3,4)$");
     svg_segment(s, svg_at(0, 0), svg_at(7, 0), SVG_AXIS);
     svg_segment(s, svg_at(3, 0), svg_at(4, 0), SVG_CURVE);
@@ -137,7 +137,7 @@ FIGURE(divisor_zero)
         svg_mark(s, at(q(knot[i]), r(height, 3)), SVG_POINT, SVG_USUAL);
         svg_label(s, at(q(knot[i]), r(height, 3)), height > 0 ? SVG_W : SVG_SW, SVG_POINT, name);
     }
-    for (int i = 2; i <= 4; i++) { /* [t_i, t_{i+k-r}] */
+    for (int i = 2; i <= 5; i++) { /* [t_i, t_{i+k-r}] */
         num_q left = q(knot[i - 1]), right = q(knot[i + 1]), y = sub_q(r(1, 2), r(3 * i, 4));
         int zero = knot[i - 1] == knot[i + 1];
         char name[16];

@@ -15,12 +15,13 @@ held for all $t$ of the span.  If it does hold for all of them both conclusions 
 :title: Each term of the sum vanishes, because B-splines are linearly independent
 :zh: 由线性无关性得每个混合积为零
 :printed: if (4.3.12) holds, then by $w_i>0$ and the linear independence of the B-splines $(\mathbf r_i,\mathbf
-  r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$
+  r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$, $t_j\le t<t_{j+1}$, $j=k,k+1,\dots,n$
 :class: invalid-proof
 :refuted-by: osculating_plane_meets_the_origin_once
 :reading: osculating_plane_meets_the_origin_once | at one $t$, from (4.3.12) alone, as the sentence says
 :reading: first_level_condition_factors | at one $t$ where (4.3.9) itself holds with $\tau\ne t$: there $\mathbf r'\times\mathbf r''=0$, and each
   product is 0 at this $t$, whatever the points are
+:reading-with: first_level_follows_the_tangent
 :reading: points_are_polar_values_of_the_segment | for all $t$ of the span, but not for this reason, the
   coefficients $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))$ not being constants | The Wronskian of the coordinates of $\mathbf r$ is 0,
   so they are linearly dependent, as for the corrected sentence; a plane through the origin that has the segment has its points.
@@ -51,6 +52,8 @@ the whole segment holds for its polar form, and the control points are values of
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :where: no weight is 0
+:argued: every order and all knots | By the recursion of de Boor the curve of the points $f[t_{i+1},\dots,t_{i+k-1}]$ is on the span the polynomial $f[t^{k-1}]$, since $f$ is affine in each
+  argument; and the $N_{i,k}$ of a span are linearly independent on it, so that no other points have this segment.
 :control: the knots from $t_i$ on
 :::
 */
@@ -146,7 +149,7 @@ CLAIM(osculating_plane_meets_the_origin_once)
 :::{statement} wang-ch4:thm-4.3.2-coplanar
 :title: The control points of the span are coplanar, and the family is plane
 :zh: 控制顶点共面
-:printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$ and $t_j\le t<t_{j+1}$ means that these
+:printed: $(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0$ for $i=j-k+1,\dots,j$, $t_j\le t<t_{j+1}$, $j=k,k+1,\dots,n$, means that these
   $\mathbf r_i$ are coplanar, so that the family is one of plane curves
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
   points_are_polar_values_of_the_segment member_of_span_is_polar
@@ -205,9 +208,12 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 :printed: hence one may put $\mathbf r_i=(x_i,y_i,0)$, $\mathbf r(t)=(x(t),y(t),0)$, $\mathbf
   r^{[k-1]}(t,\tau)=(x^{[k-1]}(t,\tau),y^{[k-1]}(t,\tau),0)$
 :holds-by: family_moves_with_its_points
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
 
 That two derivatives are parallel does not depend on the coordinates.
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 To turn the plane of the points into $z=0$ one has to know that the construction does not depend on coordinates.  The
@@ -226,7 +232,9 @@ and their derivatives its linear part.
 :method: Both families by the recursion.  $\ell$ is any coordinate of an affine map; a third coordinate enters as the
   second does.  A linear map that can be inverted keeps parallel vectors parallel, and makes none so.
 :degrees: 2..4 sampled 6
-:scope: every pattern of the knots of a span up to order 4, three above; the knots numbers in the field
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 4, numbers above
+:argued: every order and all knots | A member is a mean of the points with factors that add up to 1 and in which the points are not.  So it goes with them under $\ell$, and its derivatives, whose
+  factors add up to 0, under the linear part.
 :over: l#: affine functions
 :control: $c$ left out at the last point
 :::
@@ -246,7 +254,7 @@ CLAIM(family_moves_with_its_points)
     }
     for (int shape = 0; shape < G(shapes)(p); shape++) {
         G(knots_of_span)(T, p, shape, u, place);
-        G(numbers_above)(1, p, 2 * p + 2, place, u);
+        G(numbers_above)(3, p, 2 * p + 2, place, u);
         for (int r = 1; r <= p - 1; r++) {
             num D[6], E[3];
             G(family_derivatives)(p, 2, u, mu, R, w, r, tau, t, D);
@@ -273,6 +281,7 @@ CLAIM(family_moves_with_its_points)
 :holds-by: touching_curve_satisfies_the_condition
 :confirmed-by: first_level_condition_factors
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$; as for (4.3.9)
+:hypothesis: solutions_at_a_cusp_have_one_point | $\mathbf r^{[k-1]}$ is not constant on the solution; as for (4.3.9)
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each; for $\tau=\tau(t)$ see (4.3.10).
 :figure: nurbs_second_line
 
@@ -284,9 +293,12 @@ CLAIM(family_moves_with_its_points)
 :zh: 平面情形的等价条件
 :printed: (4.3.13) is equivalent to $(\tau-t)[x'(t)y''(t)-x''(t)y'(t)]=0$
 :holds-by: first_level_condition_factors first_level_follows_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
 
 The factor between them is $w^3/((k-1)^2W^3)$, which is not 0.
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.14
@@ -312,8 +324,9 @@ The factor between them is $w^3/((k-1)^2W^3)$, which is not 0.
 :title: The derivative of the slope is x'y''-x''y' over x'^2
 :zh: 斜率之导数
 :types: field
-:given: any $x$ and $y$ with their first and second derivatives, here cubic polynomials of $t$ with variable
+:given: any $x$ and $y$ with their first and second derivatives, $x'\ne0$, here cubic polynomials of $t$ with variable
   coefficients
+:harmless: $x'\ne0$ | what is said where $x'$ is 0 is said apart
 :then: $(y'/x')'=(x'y''-x''y')/x'^2$
 :method: Formal derivatives.  Both sides depend on $x',x'',y',y''$ at $t$ only, which are any numbers for cubics, so the rule holds for all functions; if the right side is 0 for all $t$ of the span,
   $y'/x'$ is constant and $y=ax+b$, or $x'=0$ for all $t$ and $x$ is constant: a line.
@@ -384,7 +397,11 @@ CLAIM(inflected_cubic_is_not_straight)
 :printed: that $\mathbf r(t)$ is a straight segment implies that $\mathbf r_i$, $i=j-k+1,\dots,j$, are collinear, so
   that every member is on this line
 :holds-by: points_are_polar_values_of_the_segment member_of_span_is_polar
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_folded_line
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-on-a-line
@@ -392,17 +409,57 @@ CLAIM(inflected_cubic_is_not_straight)
 :zh: 族曲线均在一直线上时包络即 r(t)
 :printed: every member of the family being on the straight line of $\mathbf r(t)$, its envelope is $\mathbf r(t)$
 :class: false
-:refuted-by: folded_line_has_another_solution
+:refuted-by: straight_segment_is_overshot folded_line_has_another_solution
 :corrected: then every pair $(t,\tau)$ is a joint solution
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent
 :figure: nurbs_folded_line
 
-The points of all members may be more than those of $\mathbf r$: in the example one is.
+The points of all members may be more than those of $\mathbf r$: in both examples one is.  In the first $\mathbf r'\ne0$ on the closed span, and $\mathbf r$ runs
+through its segment once.
 :::
 
 Even the straight segment is not as harmless as it looks.  If all members are on a line, every pair satisfies the
-condition, and the members may reach farther than the segment itself, which need not run through the line in one
-direction.
+condition, and the members may reach farther than the segment itself.  A member of level 1 goes from $\mathbf r(t)$ a part of the way along the
+tangent, as far as the speed at $t$ says; if the curve is fast at $t$ and slow behind, this is too far.
+
+:::{claim} straight_segment_is_overshot
+:title: A member of a straight segment that is run through once reaches beyond its end
+:zh: 单向走过的直线段,其族曲线仍可伸出端点之外
+:kind: counterexample
+:given: the cubic $\sum a_mt^m$ on a line as a segment over the uniform knots $t_i$, weights 1; $r=1$, the start $t$ of the span, and the member $\tau$
+:data: t_i = -3 -2 -1 0 1 2 3 4; a = (0,0) (1,1) (-3/2,-3/2) (4/5,4/5); t = 0; τ = 19/20
+:instead: τ = 0
+:then: $\mathbf r'\ne0$ on the closed span; (4.3.9) is satisfied, and no parameter of the closed span has $\mathbf r$ at the point of the member
+:result: r_i = (-2,-2) (1/2,1/2) (0,0) (13/10,13/10); point of the member = (19/60,19/60); its derivatives by t and τ = (-17/60,-17/60) (1/3,1/3);
+  ends of the segment = (0,0) (3/10,3/10); zeros of r' = 0; parameters with this point = 0
+:method: The condition is found to be satisfied; then the roots in the closed span of $x'(t)$ and of $x(t)$ minus the abscissa of the point are counted.
+:control: $\tau=t$
+:::
+*/
+CLAIM(straight_segment_is_overshot)
+{
+    num u[8], R[8], b[8], x[4], w[4], X[2], ends[4], t = given(T, "t"), tau = given(T, "τ"), zero = from_int(0),
+                                                     one = from_int(1);
+    G(given_curve_of_powers)(T, 3, 2, u, R, w);
+    if (!G(pair_in_the_square)(T, 3, 2, u, 3, R, w, 1, tau, t, X))
+        return;
+    G(bspline_to_bezier)(G(on_span)(3, 2, u, 3, R), b);
+    for (int i = 0; i < 4; i++) {
+        x[i] = sub(b[2 * i], X[0]);
+        ends[i] = b[i < 2 ? i : i + 4];
+    }
+    poly f = poly_from_bernstein(3, x);
+    int still = count_roots(poly_derivative(f), zero, one, CLOSED).distinct;
+    int places = count_roots(f, zero, one, CLOSED).distinct;
+    found_points(T, "ends of the segment", 2, 2, ends);
+    found_whole(T, "zeros of r'", still);
+    found_whole(T, "parameters with this point", places);
+    about(T, "the point is on the segment, whose derivative is not 0");
+    refute(T, still == 0 && places == 0);
+}
+
+/*
+Where the segment does not run through its line in one direction this is easily drawn.
 
 :::{claim} folded_line_has_another_solution
 :title: On a line every function τ(t) is a solution, and its points may be off the segment
@@ -447,14 +504,21 @@ CLAIM(folded_line_has_another_solution)
 :zh: 否则必有 τ=t
 :printed: if (4.3.14) does not hold, (4.3.11) must hold, and put into (4.3.3), $r=1$, it shows that the envelope of the family is $\mathbf r(t)$
 :holds-by: first_level_condition_factors first_level_follows_the_tangent member_of_span_touches_curve
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :hypothesis: inflected_cubic_has_second_envelope | (4.3.14) holds for no $t$ of the span; that it does not hold
   identically is not enough
 :meant: (4.3.3) and (4.3.9), by which the section determines the envelope | All joint solutions, as in theorem 4.3.2.
 :reading: inflected_cubic_has_second_envelope | all joint solutions, if (4.3.14) does not hold identically
+:reading: first_level_condition_factors | at one $t$: where (4.3.14) does not hold for it, $\tau=t$ is the only solution with this $t$, and its point is that of the curve
+:reading-with: first_level_follows_the_tangent member_of_span_touches_curve
 :reading: first_level_condition_factors | only solutions of the form $\tau=\tau(t)$ with a continuous function, as (4.3.10) may be meant: then
   it is enough that (4.3.14) does not hold identically | Away from the isolated zeros of $\mathbf r'\times\mathbf r''$ the condition leaves
   $\tau=t$ only, and a continuous function has the same value at them.
+:reading-with: first_level_follows_the_tangent
 :figure: nurbs_envelope_extra
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 So the theorem fails at every inflection, and it fails visibly: the members of the cubic $(t,t^3)$ are parabolas, and

@@ -156,16 +156,55 @@ CLAIM(member_osculates_a_plane_through_the_origin)
   r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)+\frac{\tau-t_i}{t_{i+k-r+1}-t_i}\bigl(w_i^{[r-2]}(\tau)\mathbf p_i^{[r-2]}(\tau),\frac\partial{\partial t}\mathbf
   r^{[r-1]}(t,\tau),\frac{\partial^2}{\partial t^2}\mathbf r^{[r-1]}(t,\tau)\bigr)=0$,
   $i=j-k+r,j-k+r+1,\dots,j$, $t_j\le t,\tau<t_{j+1}$
-:holds-by: weighted_points_follow_the_recursion
+:holds-by: one_step_of_weighted_points divisors_contain_the_span
+:confirmed-by: weighted_points_follow_the_recursion extrapolated_members_keep_positive_weights_inside
 :meant: (4.1.4), by which the points of the levels are $\mathbf r_i^{[r]}$, while no $\mathbf p_i^{[r]}$ is defined | $\mathbf r_i$ for $\mathbf p_i$,
   and $r\ge2$, so that there is a level $r-2$.
 :figure: points_off_the_plane
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 The triple product with two fixed vectors is a linear function, and every linear function of the weighted points obeys
 the recursion of the weights.  Each product of a level is therefore a mean of two of the level before: that is right,
 but to solve these equations backwards there is one of them too few.
 
+:::{claim} one_step_of_weighted_points
+:title: One step of (4.1.3) and (4.1.4) under a triple product
+:zh: (4.1.3)、(4.1.4) 的一步与混合积
+:given: two knots $t_i\ne t_{i+k-r+1}$, any $\tau$; any weights and points of space for $w_{i-1}^{[r-2]}\mathbf r_{i-1}^{[r-2]}$ and $w_i^{[r-2]}\mathbf r_i^{[r-2]}$, two vectors $a$, $b$
+:where: the weights of the levels are not 0
+:then: $(w_i^{[r-1]}r_i^{[r-1]},a,b)=(1-\alpha)(w_{i-1}^{[r-2]}r_{i-1}^{[r-2]},a,b)+\alpha(w_i^{[r-2]}r_i^{[r-2]},a,b)$,
+  $\alpha=\frac{\tau-t_i}{t_{i+k-r+1}-t_i}$, for what (4.1.3) and (4.1.4) make of them
+:method: Weight and point by their letter; everything a variable, so that it does not matter which order, level and index it is.  In the range of $i$ the
+  two knots are different: `divisors_contain_the_span`, with $r-1$ for $r$.
+:degrees: all
+:over: u: knot; h: difference of two knots; A# B#: vectors
+:control: $1-\alpha$ and $\alpha$ exchanged
+:::
+*/
+CLAIM(one_step_of_weighted_points)
+{
+    num near = unknown(T, "u", 0), length = positive(T, "h", 0), far = add(near, length), tau = parameter(T, "s");
+    num R[6], w[2], a[3], b[3], point[3];
+    G(free_curve)(T, 1, 3, R, w);
+    for (int c = 0; c < 3; c++) {
+        a[c] = unknown(T, "A", c);
+        b[c] = unknown(T, "B", c);
+    }
+    num up = mul(sub(tau, near), w[1]), down = mul(sub(far, tau), w[0]), both = add(up, down);
+    for (int c = 0; c < 3; c++)
+        point[c] = add(mul(div(up, both), R[3 + c]), mul(div(down, both), R[c]));
+    num alpha = div(sub(tau, near), length), beta = sub(from_int(1), alpha);
+    num left = mul(w[0], G(det3)(R, a, b)), right = mul(w[1], G(det3)(R + 3, a, b));
+    num mean = add(mul(fault(T, beta, alpha), left), mul(fault(T, alpha, beta), right));
+    num weight = add(mul(alpha, w[1]), mul(div(sub(far, tau), length), w[0]));
+    /* (w_i r_i, a, b)[r-1] = (1-α) (w_i-1 r_i-1, a, b)[r-2] + α (w_i r_i, a, b)[r-2] */
+    same(T, mul(weight, G(det3)(point, a, b)), mean);
+}
+
+/*
 :::{claim} weighted_points_follow_the_recursion
 :title: A linear function of the weighted points follows the recursion (4.1.3)
 :zh: 加权顶点的线性函数满足递推 (4.1.3)
@@ -226,6 +265,7 @@ CLAIM(weighted_points_follow_the_recursion)
   curve is in a plane through the origin; not by solving for the terms | At $\tau=t$ the member has the point, the tangent and
   the osculating plane of the curve, so that the Wronskian of the coordinates of the curve is 0 for all $t$; the plane has the
   control points (`points_are_polar_values_of_the_segment`), and so those of every level.
+:reading-with: curvatures_have_a_fixed_ratio points_are_polar_values_of_the_segment
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors, with $\mathbf r^{[k-r+1]}(t,\tau)$ for $\mathbf r^{[r-1]}(t,\tau)$ as in
   `thm-4.3.3-alternatives`, is 0, so the products are 0 on every level

@@ -12,7 +12,7 @@ W=w(t)+\frac{\tau-t}{k-1}w'(t)>0.$$
 
 The other factor depends on $t$ alone.  A zero $t_0$ of $\mathbf r'\times\mathbf r''$, an inflection for instance,
 gives the whole line $t=t_0$ of the square, and the points of that line are a segment of the tangent at the
-inflection: it is touched by every member.
+inflection: it is touched by every member that does not stand still there.
 */
 #include "chapters/nurbs/family.h"
 
@@ -35,6 +35,7 @@ inflection: it is touched by every member.
   (4.3.10) may be meant, if $\mathbf r'\times\mathbf r''$ is not 0 identically: the lines $t=t_0$ are then left out |
   Away from the isolated zeros of $\mathbf r'\times\mathbf r''$ the condition leaves $\tau=t$ only, and a continuous function has
   the same value at them.
+:reading-with: first_level_follows_the_tangent
 :reading: folded_line_has_another_solution | the same when $\mathbf r'\times\mathbf r''$ is 0 identically, a case which the proof includes
 :corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the
   points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$, $W$ being the denominator of the member; hence, unless
@@ -60,11 +61,13 @@ its pairs have the point $\mathbf r(t_0)$.
 :confirmed-by: first_level_condition_factors
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$: where a member stands still the condition is satisfied, and the
   member may have another direction
+:hypothesis: solutions_at_a_cusp_have_one_point | $\mathbf r^{[k-1]}$ is not constant on the solution: at a cusp $t_0$ of the curve the pairs of the line $t=t_0$
+  satisfy the condition and have one point, which is no curve
 :meant: the usual notion of an envelope, as [18] is not at hand | A curve $\mathbf r^{[k-1]}(t(s),\tau(s))$ that passes from member to member, $\tau'\ne0$, and is tangent
   to each member where it passes it.
 :figure: nurbs_second_line
 
-The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$.
+The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$ and the curve does not stand still.
 :::
 
 :::{claim} touching_curve_satisfies_the_condition
@@ -73,8 +76,8 @@ The condition is necessary for every such curve, and sufficient where $\partial_
 :given: the derivatives $X_t$, $X_\tau$ of a family at a pair $(t,\tau)$, and a curve through it with $t'$ and $\tau'$
 :then: $(t'X_t+\tau'X_\tau)\times X_t=\tau'\,X_\tau\times X_t$ in space
 :method: The chain rule; three coordinates, everything a variable.  The left side is 0 if the curve and the member
-  have one tangent; so $X_\tau\times X_t=0$ where $\tau'\ne0$.  Conversely the curve is tangent where this holds and
-  $X_t\ne0$.
+  have one tangent; so $X_\tau\times X_t=0$ where $\tau'\ne0$.  Conversely the curve is tangent where this holds,
+  $X_t\ne0$ and the derivative $t'X_t+\tau'X_\tau$ of the curve is not 0, and by continuity at isolated zeros of it.
 :over: dt ds: -; X# Y#: derivatives of the family
 :control: the factor $t'$ in the place of $\tau'$
 :::
@@ -125,6 +128,37 @@ CLAIM(member_that_stands_still_is_not_touched)
     about(T, "the determinant of the directions of the solutions and of the member");
     vanishes(T, G(cross2)(D + 4, direction));
 }
+
+/*
+:::{claim} solutions_at_a_cusp_have_one_point
+:title: At a cusp the pairs that satisfy the condition have one point
+:zh: 尖点处满足包络条件的各对参数只给出一点
+:kind: counterexample
+:given: the cubic $\sum a_mt^m$, which is $(t^2,t^3)$, as a segment over the uniform knots $t_i$, weights 1; $r=1$, its cusp $t$ and the members $X$ of the
+  parameters $\tau$ and $\sigma$
+:data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0) (0,0) (1,0) (0,1); t = 0; τ = 1/2; σ = -1/2
+:instead: a = (0,0) (1,0) (0,0) (0,1)
+:then: (4.3.9) is satisfied by both, with $\partial_tX\ne0$; the two points are one, so that the solutions about the pairs, the line $t=0$, are no curve that could be tangent
+:result: r_i = (23/3,-15) (-1/3,3) (-1/3,-3) (23/3,15); point of the member = (0,0); its derivatives by t and τ = (1/3,0) (0,0); point of the other member = (0,0)
+:method: Members and derivatives by their points over the knots.  By `first_level_condition_factors` the solutions beside $\tau=t$ are the zeros of
+  $\mathbf r'\times\mathbf r''$, of $t^2$ up to a factor, and on $t=0$ the point is $\mathbf r(0)+\frac{\tau}{k-1}\mathbf r'(0)$ for every $\tau$.
+:control: the inflection of $(t,t^3)$, whose solutions have a segment of points
+:::
+*/
+CLAIM(solutions_at_a_cusp_have_one_point)
+{
+    num u[8], R[8], w[4], D[6], E[6], X[2], t = given(T, "t"), tau = given(T, "τ"), sigma = given(T, "σ");
+    G(given_curve_of_powers)(T, 3, 2, u, R, w);
+    int satisfied = G(pair_in_the_square)(T, 3, 2, u, 3, R, w, 1, tau, t, X);
+    G(family_derivatives)(3, 2, u, 3, R, w, 1, tau, t, D);
+    G(family_derivatives)(3, 2, u, 3, R, w, 1, sigma, t, E);
+    found_points(T, "point of the other member", 1, 2, E);
+    satisfied &= G(is_pair_of_span)(u, 3, t, sigma) && is_zero_q(G(cross2)(E + 2, E + 4));
+    for (int m = 0; m < 2; m++) /* both members move at t */
+        satisfied &= m == 0 ? !is_zero_q(D[2]) || !is_zero_q(D[3]) : !is_zero_q(E[2]) || !is_zero_q(E[3]);
+    about(T, "the two points differ");
+    refute(T, satisfied && equal_q(X[0], E[0]) && equal_q(X[1], E[1]));
+}
 #endif
 
 /*
@@ -134,6 +168,7 @@ CLAIM(member_that_stands_still_is_not_touched)
 :printed: in the joint solution of (4.3.3) and (4.3.9) $\tau=\tau(t)$
 :reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it decides nothing, but then a
   line $t=t_0$ of the square is left out of the envelope by agreement
+:reading-with: first_level_follows_the_tangent
 :reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: the lines
   $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
 :corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
@@ -162,10 +197,13 @@ first derivative at $t$, followed as far as $\tau-t$, with the factor $\frac1{k-
 :title: The differences of the points, over lengths, with the basis of the next lower order are the derivative
 :zh: 差分与低一阶基函数之和即导矢
 :given: order $k$; a span of simple knots, one whose ends are $(k-1)$-fold, one with a double knot, for $k\le4$ all patterns, the distinct knots
-  variables for $k\le5$ and numbers above; points, any $t$
+  variables for $k\le5$ and numbers above; numbers $c_i$, which are the weights $w_i$ or one coordinate of the $w_i\mathbf r_i$; any $t$
 :then: the printed sums are the derivative divided by $k-1$
 :method: The sums by their letter against the sum with the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
+:argued: every order and all knots | With the polar form $f$ of the segment $c_i=f[t_{i+1},\dots,t_{i+k-1}]$; it is affine in each argument, so that the printed quotient of differences is
+  $f[t_{i+1},\dots,t_{i+k-2},\delta]$, $\delta$ being the direction.  These are the points over the same knots of $f[t^{k-2},\delta]$, which is the derivative divided by $k-1$.
+:over: c#: weights and coordinates of weighted points
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :control: the divisors doubled
 :::
@@ -201,7 +239,11 @@ CLAIM(differences_of_span_give_the_derivative)
 :printed: \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)=\frac{\tau-t}{k-1}w'(t)+w(t),\qquad
   \sum_{i=j-k+2}^jN_{i,k-1}(t)\,w_i^{[1]}(\tau)\mathbf r_i^{[1]}(\tau)=\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)
 :holds-by: first_level_follows_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{claim} first_level_follows_the_tangent
@@ -210,11 +252,13 @@ CLAIM(differences_of_span_give_the_derivative)
 :given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, for $k\le4$ all
   patterns; weights and
   points, any $t$ and $\tau$
-:where: the weights of the curve, the levels and the member are not 0
+:where: the weights of the levels are not 0
 :then: $\sum N_{i,k-1}(t)w_i^{[1]}(\tau)=w(t)+\frac{\tau-t}{k-1}w'(t)$ and the same with $w_ir_i$ and $p$
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | With the polar form $f$ of the segment in homogeneous coordinates the sums are $f[\tau,t^{k-2}]$, which is affine in $\tau$, the value $f(t)$ for $\tau=t$, and has
+  the derivative $f[\delta,t^{k-2}]=\frac1{k-1}f'(t)$ by $\tau$, $\delta$ being the direction.
 :control: the factor $\frac1{k-1}$ replaced by $\frac1k$
 :::
 */
@@ -249,9 +293,12 @@ tangent of the curve at $t$.
 :printed: (k-1)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]^2\frac{\partial\mathbf
   r^{[k-1]}(t,\tau)}{\partial\tau}=w^2(t)\,\mathbf r'(t)
 :holds-by: derivatives_of_the_first_member first_level_follows_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
 
 The words before it are lost in the copy at hand.
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-by-t
@@ -261,7 +308,11 @@ The words before it are lost in the copy at hand.
   t}=(\tau-t)\Bigl\{\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr]\mathbf p''(t)-w''(t)\Bigl[\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf
   p(t)\Bigr]\Bigr\}+(k-2)w^2(t)\mathbf r'(t)
 :holds-by: derivatives_of_the_first_member first_level_follows_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 */
 
@@ -315,7 +366,11 @@ $w''$ three numbers, all of them variables, and so is $k$.
 :printed: (4.3.9) is equivalent to $(\tau-t)\Bigl[\frac{\tau-t}{k-1}w'(t)+w(t)\Bigr][\mathbf r'(t)\times\mathbf p''(t)]=(\tau-t)\,w''(t)\Bigl\{\mathbf
   r'(t)\times\Bigl[\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)\Bigr]\Bigr\}$
 :holds-by: first_level_condition_as_printed first_level_follows_the_tangent
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 */
 
@@ -371,7 +426,7 @@ static void G(bracket)(const G(jet) * J, int plus, num out[])
 /*
 The condition of the envelope is then a vector equation.  The source divides by $\tau-t$ and goes on with what it
 calls the other case. It could have stopped here: by the quotient rule the bracket is $Ww\,\mathbf r'\times\mathbf
-r''$, so that the other case is the inflections of the curve and nothing else.
+r''$, so that the other case is the zeros of $\mathbf r'\times\mathbf r''$, inflections and cusps of the curve, and nothing else.
 
 :::{claim} first_level_condition_as_printed
 :title: The condition of the envelope is the printed equation of vector products
@@ -434,8 +489,8 @@ CLAIM(first_level_condition_factors)
 
 /*
 What do the points of a line $t=t_0$ of the square look like?  As $\tau$ runs through the span the point of contact
-runs along the tangent at $t_0$.  Each member passes it in another point and is tangent to it there: the tangent at an
-inflection is touched by all.
+runs along the tangent at $t_0$.  Each member passes it in another point and, if it does not stand still, is tangent to it there: the tangent at an
+inflection is touched by all of these.
 
 :::{claim} extra_points_run_along_the_tangent
 :title: The points of a line t = t₀ of the square are a segment of the tangent
@@ -469,7 +524,8 @@ CLAIM(extra_points_run_along_the_tangent)
 :class: invalid-proof
 :refuted-by: product_with_second_derivative_says_nothing
 :corrected: the scalar product with $\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t)$ gives the printed equation; that with
-  $\mathbf p''(t)$ gives $(\tau-t)\,w''(t)\,(\dots)=0$, with a factor $w''$ that may be 0
+  $\mathbf p''(t)$ gives $(\tau-t)\,w''(t)\,\bigl(\mathbf r'(t),\frac{\tau-t}{k-1}\mathbf p'(t)+\mathbf p(t),\mathbf p''(t)\bigr)=0$, with a factor $w''$ that
+  may be 0
 :corrected-by: product_with_the_numerator_gives_the_triple_product product_with_second_derivative_loses_the_left_side
 :figure: product_that_says_nothing
 
@@ -572,9 +628,12 @@ CLAIM(product_with_second_derivative_says_nothing)
 :zh: 第一种情形:τ=t
 :printed: \tau(t)=t
 :holds-by: envelope_condition_holds_on_the_diagonal member_of_span_touches_curve
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
 
 It solves (4.3.9), and its points are those of the curve.
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span:
+`extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.12
@@ -582,6 +641,9 @@ It solves (4.3.9), and its points are those of the curve.
 :zh: 第二种情形:混合积之和
 :printed: \tau(t)=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
 :holds-by: triple_product_is_that_of_the_point
+:reading: triple_product_is_that_of_the_point | from the equation before it, that of `thm-4.3.2-dot`
+:reading: first_level_condition_factors | for the joint solutions of (4.3.3) and (4.3.9) | For $\tau\ne t$ the condition says $\mathbf r'\times\mathbf r''=0$, so that each term of the sum is 0.
+:reading-with: first_level_follows_the_tangent
 :needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0; as for
   positive weights and $t$ and $\tau$ in one span
 :figure: points_off_the_plane

@@ -7,7 +7,9 @@ FIGURE(nurbs_second_line)
         "nurbs_second_line", "The line that every member touches",
         "The cubic (t, t³) on one span of uniform knots, r = 1.  Left the square of the pairs (t, τ): the condition of "
         "the envelope holds on the diagonal "
-        "and on the line t = 0.  Right the members, parabolas: each touches the cubic once and the axis y = 0 once.");
+        "and on the line t = 0.  Right the members, parabolas and, for τ = 0, the axis y = 0: each parabola touches "
+        "the "
+        "cubic once and the axis once.");
     static const int x[4] = {0, 1}, y[4] = {0, 0, 0, 1};
     struct nurbs c = one_span(3, 1, x, y);
     svg_panel(s, svg_integer_window(-1, -1, 1, 1), 240, 0, "where the condition holds");
@@ -51,18 +53,21 @@ FIGURE(product_that_says_nothing)
         svg_new("product_that_says_nothing", "A product that loses the equation",
                 "Two squares of pairs (t, τ) for the twisted cubic (t, t², t³ + 1) with equal weights.  The scalar "
                 "product of both sides with the second derivative is 0 = 0 in the whole square.  The equation said "
-                "to follow from it holds on the diagonal only.");
+                "to follow from it holds on the diagonal and, because the osculating plane contains the origin there, "
+                "on the edge t = -1 only.");
     num_q square[8] = {q(-1), q(-1), q(1), q(-1), q(1), q(1), q(-1), q(1)};
     for (int k = 0; k < 2; k++) {
         svg_panel(s, svg_integer_window(-1, -1, 1, 1), 250, 0,
                   k == 0 ? "the product with $p''$: $0=0$" : "$(τ-t)(r',A,p'')=0$");
-        svg_heading(s, k == 0 ? SVG_WRONG : SVG_RIGHT, k == 0 ? "every pair" : "the diagonal");
+        svg_heading(s, k == 0 ? SVG_WRONG : SVG_RIGHT, k == 0 ? "every pair" : "the diagonal and $t=-1$");
         if (k == 0)
             svg_area(s, 4, square, SVG_WRONG);
         svg_axes(s, q(1), q(1), "t", "τ");
         svg_frame(s);
-        if (k == 1)
+        if (k == 1) {
             svg_implicit(s, triple_with_second, NULL, 81, SVG_RIGHT);
+            svg_segment(s, svg_at(-1, -1), svg_at(-1, 1), SVG_RIGHT);
+        }
         svg_mark(s, (svg_point){q(0), from_ratio_q(1, 2)}, k == 0 ? SVG_WRONG : SVG_MUTED, SVG_USUAL);
     }
     svg_legend_area(s, SVG_WRONG, "where the first equation holds");

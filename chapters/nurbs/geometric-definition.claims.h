@@ -251,9 +251,9 @@ CLAIM(polygon_end_belongs_to_no_interval)
 :refuted-by: recursion_asks_for_a_point_that_is_missing
 :corrected: $i=r+1,r+2,\dots,n$
 :corrected-by: whole_member_is_polar_on_every_span
-:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for $\rho=1,\dots,r$ and $i=\rho+1,\dots,n$, in the correction: a point may not exist although
+:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for $\rho=1,\dots,r$ and $i=\rho+1,\dots,n$: put right, too, the recursion may lack a point although
   all weights are positive
-:hypothesis: high_knot_leaves_a_point_undefined | the terms with $t_i=t_{i+k-r}$ are left out, in the correction: (4.1.3) divides by 0
+:hypothesis: high_knot_leaves_a_point_undefined | the terms with $t_i=t_{i+k-r}$ are left out: put right, too, (4.1.3) divides by 0 there
 :figure: recursion_indices
 
 For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]}$ and that $\mathbf r_0$, which does
