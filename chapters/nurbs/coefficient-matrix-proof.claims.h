@@ -15,7 +15,7 @@ and the third lose a condition that the theorem has.  Here they are decided line
 :printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}
   \left.\frac{d^\mu(x-t)_+^{k-1}}{dx^\mu}\right|_{x=\tau_\lambda}
 :holds-by: truncated_power_gives_the_basis
-:hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$, or $0_+^0$ counts as 0: at
+:hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$ in $T_i$, or $0_+^0$ counts as 0: at
   such a knot the derivative of order $k-1$ is $(k-1)!\,0_+^0$, which for $k=1$ is the truncated power itself and for $k>1$ does not exist
 :figure: zero_power_at_a_knot
 

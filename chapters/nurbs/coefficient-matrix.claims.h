@@ -439,7 +439,7 @@ the sums has room for.
 :holds-by: printed_double_sum_gives_the_basis
 :confirmed-by: column_by_differences_is_the_function
 :needs: polynomial_of_a_span_ends_with_it | (4.4.11): $t\in[t_r,t_{r+1})$ | $t$ lies in the span
-:needs: full_powers_sum_to_nothing | the sum is printed over $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
+:needs: full_powers_sum_to_nothing | (4.4.12): the sum has the condition $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
   summed
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
@@ -489,7 +489,7 @@ CLAIM(column_by_differences_is_the_function)
   $i=r-k+1,r-k+2,\dots,r$; $j=0,1,\dots,k-1$
 :holds-by: printed_double_sum_gives_the_basis
 :confirmed-by: summation_orders_agree
-:needs: full_powers_sum_to_nothing | the sum is printed over $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
+:needs: full_powers_sum_to_nothing | (4.4.12): the sum has the condition $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
   summed
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty

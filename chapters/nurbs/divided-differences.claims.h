@@ -306,7 +306,8 @@ CLAIM(system_says_osculation)
 :corrected-by: confluent_vandermonde_holds_derivatives system_says_osculation
 :figure: confluent_row
 
-For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
+For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.  The last row of $\tau_i$ begins with $l_i-1$ zeros, which are three at least, as
+printed, from $l_i=4$ on.
 :::
 */
 
