@@ -13,7 +13,7 @@ and the third lose a condition that the theorem has.  Here they are decided line
 :title: The B-spline as a sum of derivatives of truncated powers
 :zh: 证明第一行:截断幂的导数之和
 :printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}
-  \left.\frac{d^\mu(x-t)_+^{k-1}}{dx^\mu}\right|_{x=\tau_\lambda}
+  \frac{d^\mu(x-t)_+^{k-1}}{dx^\mu}\Big|_{x=\tau_\lambda}
 :holds-by: truncated_power_gives_the_basis truncated_power_steps_in_every_order linear_factor_in_a_divided_difference
 :argued: every k | By `truncated_power_steps_in_every_order` and `linear_factor_in_a_divided_difference` $N_{i,k}$ is $t_{i+k}-t_i$ times the divided
   difference of the truncated power for every $k$, which is this sum by lemma 4.4.1.
@@ -42,7 +42,7 @@ left and those of an ordinary power at the nodes on the right; that is all that 
 :given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $t$ variables;
   random patterns for greater $k$
 :then: $(t_{i+k}-t_i)[t_i,\dots,t_{i+k}](x-t)_+^{k-1}=N_{i,k}(t)$ on the span, by the table of divided differences and
-  by the sum with the weights $\alpha$
+  by the sum with the weights $\alpha$ of (4.4.9)
 :method: The data of the truncated power at $\tau_\lambda$ are $\frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}$
   right of the span and 0 left of it.
 :degrees: 0..4 sampled 7
@@ -60,23 +60,24 @@ CLAIM(truncated_power_gives_the_basis)
         int pattern = G(function_pattern)(T, k, m), groups = 1;
         for (int a = 0; a < k; a++)
             groups += pattern >> a & 1;
+        num alpha[LARGEST_ORDER + 1][LARGEST_ORDER + 1];
         for (int g = 0; g + 1 < groups; g++) {
             struct G(span) S = G(span_of_function)(k, pattern, g, x);
             struct G(nodes) n = G(nodes_of)(&S);
-            num data[LARGEST_ORDER + 1], alpha[LARGEST_ORDER + 1], sum = from_int(0), length = sub(S.t[k], S.t[0]);
+            num data[LARGEST_ORDER + 1], sum = from_int(0), length = sub(S.t[k], S.t[0]);
+            if (g == 0)
+                G(cofactor_weights)(&n, k, alpha);
             for (int i = 0, row = 0; i < n.d; i++)
                 for (int mu = 0; mu < n.l[i]; mu++, row++) {
                     int counts = fault(T, n.right[i], !n.right[i]);
                     data[row] = counts ? G(power_datum)(k, mu, n.tau[i], t, k - 1) : from_int(0);
+                    sum = add(sum, mul(alpha[i][mu], data[row]));
                 }
             num N = G(basis_value)(&S, 0, k, t);
             about(T, "by the table");
             /* (t_i+k - t_i) [t_i, ..., t_i+k] (x - t)_+^(k-1) = N_i,k(t) */
             same(T, mul(length, G(divided_difference)(n.d, n.l, n.tau, data)), N);
             about(T, "by the weights");
-            G(divided_weights)(n.d, n.l, n.tau, alpha);
-            for (int row = 0; row <= k; row++)
-                sum = add(sum, mul(alpha[row], data[row]));
             same(T, mul(length, sum), N);
         }
     }
@@ -194,12 +195,12 @@ CLAIM(zero_power_at_a_knot_of_multiplicity_k)
 static num G(second_line)(const struct G(span) * S, int only_right, num t, int degree)
 {
     struct G(nodes) n = G(nodes_of)(S);
-    num alpha[LARGEST_ORDER + 1], sum = from_int(0);
-    G(divided_weights)(n.d, n.l, n.tau, alpha);
-    for (int i = 0, row = 0; i < n.d; i++)
-        for (int mu = 0; mu < n.l[i]; mu++, row++)
+    num alpha[LARGEST_ORDER + 1][LARGEST_ORDER + 1], sum = from_int(0);
+    G(cofactor_weights)(&n, S->k, alpha);
+    for (int i = 0; i < n.d; i++)
+        for (int mu = 0; mu < n.l[i]; mu++)
             if (!only_right || n.right[i])
-                sum = add(sum, mul(alpha[row], G(power_datum)(S->k, mu, n.tau[i], t, degree)));
+                sum = add(sum, mul(alpha[i][mu], G(power_datum)(S->k, mu, n.tau[i], t, degree)));
     return mul(sub(S->t[S->k], S->t[0]), sum);
 }
 
@@ -213,7 +214,7 @@ because the condition $\tau_\lambda>t_r$ comes back in (4.4.12).
 :zh: 不截断则和恒为零
 :given: every pattern of the $k+1$ knots of a function, the different knots and $t$ variables; random patterns for greater $k$
 :then: the printed second line is 0 for every $t$
-:method: The sum with the weights $\alpha$ of all $\tau_\lambda$.
+:method: The sum with the weights $\alpha$ of (4.4.9) of all $\tau_\lambda$.
 :degrees: 0..4 sampled 7
 :scope: every multiplicity of the knots of a function
 :over: t#: knots
@@ -244,7 +245,7 @@ CLAIM(all_full_powers_sum_to_nothing)
 :data: t_i = 0 1 2; t = 1/2
 :then: the sum over all $\lambda$ is 0, which $N_{i,2}(t)$ is not; so is the third line, which is the second expanded
 :result: second line = 0; third line = 0; N_i,2(t) = 1/2
-:method: Both lines by their letter, with the weights of the divided difference.
+:method: Both lines by their letter, with the weights of (4.4.9).
 :control: only the $\tau_\lambda>t_r$
 :::
 */
@@ -253,14 +254,15 @@ static num G(third_line)(const struct G(span) * S, int only_right, num u)
 {
     int k = S->k;
     struct G(nodes) n = G(nodes_of)(S);
-    num alpha[LARGEST_ORDER + 1], t_r = S->t[S->r], step = sub(t_r, S->t[S->r + 1]), sum = from_int(0);
-    G(divided_weights)(n.d, n.l, n.tau, alpha);
-    for (int i = 0, row = 0; i < n.d; i++)
-        for (int mu = 0; mu < n.l[i]; mu++, row++)
+    num alpha[LARGEST_ORDER + 1][LARGEST_ORDER + 1], t_r = S->t[S->r], step = sub(t_r, S->t[S->r + 1]),
+                                                     sum = from_int(0);
+    G(cofactor_weights)(&n, k, alpha);
+    for (int i = 0; i < n.d; i++)
+        for (int mu = 0; mu < n.l[i]; mu++)
             for (int j = 0; j <= k - mu - 1 && (!only_right || n.right[i]); j++) {
                 num factor = mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(choose)(k - 1 - mu, j));
                 num powers = mul(G(power)(sub(n.tau[i], t_r), k - 1 - mu - j), G(power)(mul(step, u), j));
-                sum = add(sum, mul(alpha[row], mul(factor, powers)));
+                sum = add(sum, mul(alpha[i][mu], mul(factor, powers)));
             }
     return mul(sub(S->t[k], S->t[0]), sum);
 }

@@ -378,18 +378,6 @@ the different knots.  So they settle every multiplicity of the knots around a sp
 :control: the upper limit one less for double knots and more
 :::
 */
-/* The weights (4.4.8), (4.4.9): cofactors of the last column of the matrix of derivatives over the product
- * that is its determinant. */
-static void G(cofactor_weights)(const struct G(nodes) * n, int k, num alpha[][LARGEST_ORDER + 1])
-{
-    num H[(LARGEST_ORDER + 1) * (LARGEST_ORDER + 1)];
-    G(osculation_matrix)(n->d, n->l, k, n->tau, H);
-    num det = G(confluent_vandermonde_determinant)(n->d, n->l, n->tau);
-    for (int i = 0, row = 0; i < n->d; i++)
-        for (int j = 0; j < n->l[i]; j++, row++)
-            alpha[i][j] = div(G(cofactor)(k + 1, H, row, k), det);
-}
-
 /* Formula (4.4.12) by its letter, i = 0.  `short_by` shortens the inner sum where l > 1. */
 static num G(printed_coefficient)(const struct G(span) * S, const struct G(nodes) * n, num alpha[][LARGEST_ORDER + 1],
                                   int j, int short_by)

@@ -193,6 +193,7 @@ $\tau_i$, the rows of the derivatives of order $0,\dots,l_i-1$ of $1,t,\dots,t^k
   f_0^{(l_d-1)}(\tau_d)&f_1^{(l_d-1)}(\tau_d)&\dots&f_{k-1}^{(l_d-1)}(\tau_d)&f_k^{(l_d-1)}(\tau_d)\end{pmatrix}
 :definition: yes
 :checked-by: confluent_vandermonde_holds_derivatives system_says_osculation
+:argued: every k | Each differentiation of a power brings its exponent down as a factor and lowers it by one.
 :figure: confluent_row
 
 The functions are any; what is checked are the powers, $f_m=t^m$.

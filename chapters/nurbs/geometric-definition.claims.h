@@ -489,6 +489,7 @@ CLAIM(convex_polygon_has_a_stationary_leg)
   of its points: where the polygons exist it is the curve alone, unless a segment is straight | With $\tau\ne t$
   the condition holds for finitely many $\tau$ only, the zeros of $\mathbf r'\times\mathbf r''$ of the continued segments; on a
   curve that touches a varying polygon $\tau$ runs through intervals.
+:reading-with: first_level_condition_factors
 :meant: the words "for every", and the section, by which the envelope is all joint solutions | The first and the
   second.
 :corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$
@@ -496,6 +497,9 @@ CLAIM(convex_polygon_has_a_stationary_leg)
   of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
   neighbouring points are on a line
 :corrected-by: legs_are_tangents_of_the_continued_segments quadratic_legs_have_one_envelope first_level_condition_factors
+  divisors_contain_the_span
+:argued: every k and all knots | In the polar form of a segment (4.1.3) puts $\tau$ for one argument, in each of which the form is affine, and at the two points of a leg it divides by
+  no 0 (`divisors_contain_the_span`).  So the leg over the span of $P_j$ goes from $P_j[\tau,\dots,\tau,t_j]$ to $P_j[\tau,\dots,\tau,t_{j+1}]$, along the tangent at $\tau$.
 :confirmed-by: whole_member_is_polar_on_every_span
 :figure: nurbs_polygons_extra
 

@@ -18,7 +18,7 @@ able to do follows from it: it reproduces the powers of $t$, hence all polynomia
 :checked-by: marsden_coefficients_vanish_at_inner_knots
 :figure: marsden_identity
 
-For $k=1$ it is the empty product.
+For $k=1$ it is the empty product.  The number printed at it is that of the identity, see `formula-4.4.14-label`.
 :::
 */
 
