@@ -97,8 +97,7 @@ difference of a function times a linear factor is made of two divided difference
 :method: Let $c=[t_0,\dots,t_k]g$, and let $G$ osculate a function $g$ on $t_1,\dots,t_k$, so that $c_1=[t_1,\dots,t_k]g$.  Then $G+cQ$ osculates $g$ on all nodes: the polynomial of
   degree $k$ that does, less $G$, is $c$ times $Q$.  So $(x-t)(G+cQ)$ osculates $(x-t)g$, and so does the left side, as $(x-t_0)Q$ osculates 0.  It is of degree $k$:
   $[t_0,\dots,t_k]\,(x-t)g=(t_0-t)\,[t_0,\dots,t_k]g+[t_1,\dots,t_k]g$.
-:degrees: all
-:over: x t# t U q p c#: -
+:over: t; x t0 U q p c#: -
 :control: $(x-t)Q$ in the place of $(x-t_0)Q$
 :::
 */
@@ -127,7 +126,6 @@ CLAIM(linear_factor_in_a_divided_difference)
 :method: With $A$ and $B$ the divided differences of $(x-t)_+^{k-2}$ on $t_i,\dots,t_{i+k-1}$ and on $t_{i+1},\dots,t_{i+k}$, $D$ is that on $t_i,\dots,t_{i+k}$ by the table, and
   $(a-t)D+B$ is that of $(x-t)_+^{k-1}$ (`linear_factor_in_a_divided_difference`).  Where $e=a$ it is $N_{i,k-1}=0$, and $A=0$, a derivative of order $k-1$ of a power $k-2$ or of 0;
   likewise for $d=b$.  For $k=1$ the difference of $(x-t)_+^0$, 0 at the knots left of the span, 1 right of it, is $\frac1{b-a}$ if the span is $[a,b)$, and 0 otherwise.
-:degrees: all
 :scope: every multiplicity of the knots of a function
 :over: a b d e N#: -
 :control: $A$ and $B$ exchanged in $D$
@@ -185,7 +183,7 @@ CLAIM(zero_power_at_a_knot_of_multiplicity_k)
 :corrected-by: truncated_power_gives_the_basis all_full_powers_sum_to_nothing truncated_power_steps_in_every_order linear_factor_in_a_divided_difference
 :argued: every k | By `truncated_power_steps_in_every_order` and `linear_factor_in_a_divided_difference` $N_{i,k}$ is $t_{i+k}-t_i$ times the divided
   difference of the truncated power for every $k$, which is this sum by lemma 4.4.1.
-  The full power has the degree $k-1$, so that as a polynomial of degree $k$ it has the last coefficient 0.
+  The full power, of degree $k-1$ in $x$, has the coefficient 0 at $x^k$: its divided difference is 0.
 :needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: full_powers
 :::

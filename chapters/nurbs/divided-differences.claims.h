@@ -535,8 +535,8 @@ CLAIM(node_listed_twice_makes_h_singular)
 :zh: 广义差商即密切插值多项式的首项系数
 :printed: by [14]: if $f(t)$ and the polynomial $g(t)=c_0+c_1t+\dots+c_kt^k$ of degree $k$ osculate on $T$, then the generalised divided difference of $f(t)$ at the knots
   $\{t_0,t_1,\dots,t_k\}$ is $[t_0,t_1,\dots,t_k]f=c_k$
-:holds-by: table_step_in_every_order derivative_lowers_the_multiplicity_by_one
-:confirmed-by: divided_difference_is_leading_coefficient
+:holds-by: divided_difference_is_leading_coefficient table_step_in_every_order derivative_lowers_the_multiplicity_by_one
+:argued: every k | The table goes from one order to the next by `table_step_in_every_order`, and by `derivative_lowers_the_multiplicity_by_one` no second polynomial osculates.
 :figure: osculating_polynomial
 
 The left side is the table of divided differences.  $g$ has the degree $k$ at most; $c_k$ may be 0.
@@ -594,7 +594,6 @@ What the table does is the same for every order: it makes of two polynomials tha
   $t_0,\dots,t_{k-1}$ and $g_1$ on $t_1,\dots,t_k$.  By (1) $g$ osculates $f$ on all, as the factors $t-a$ and $t-b$ make up for the node that is missing, and by (2) its coefficient of
   $t^k$ is the entry of the table, if $c_0$ and $c_1$ are the two before.  Where all nodes are one, the entry $f^{(k)}/k!$ is the last coefficient of the polynomial of Taylor.  No other
   polynomial of degree $k$ osculates $f$: the difference of two is divisible by the product of $k+1$ factors (`derivative_lowers_the_multiplicity_by_one`).
-:degrees: all
 :over: t#: different nodes; x f c# r# F# U s: -
 :control: $g_0$ and $g_1$ exchanged in $g$
 :::
