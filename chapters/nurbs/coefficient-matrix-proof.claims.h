@@ -13,9 +13,11 @@ and the third lose a condition that the theorem has.  Here they are decided line
 :title: The B-spline as a sum of derivatives of truncated powers
 :zh: 证明第一行:截断幂的导数之和
 :printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}
-  \left.\frac{d^\mu(x-t)_+^{k-1}}{dx^\mu}\right|_{x=\tau_\lambda}
-:holds-by: truncated_power_gives_the_basis
-:hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$, or $0_+^0$ counts as 0: at
+  \frac{d^\mu(x-t)_+^{k-1}}{dx^\mu}\Big|_{x=\tau_\lambda}
+:holds-by: truncated_power_gives_the_basis truncated_power_steps_in_every_order linear_factor_in_a_divided_difference
+:argued: every k | By `truncated_power_steps_in_every_order` and `linear_factor_in_a_divided_difference` $N_{i,k}$ is $t_{i+k}-t_i$ times the divided
+  difference of the truncated power for every $k$, which is this sum by lemma 4.4.1.
+:hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$ in $T_i$, or $0_+^0$ counts as 0: at
   such a knot the derivative of order $k-1$ is $(k-1)!\,0_+^0$, which for $k=1$ is the truncated power itself and for $k>1$ does not exist
 :figure: zero_power_at_a_knot
 
@@ -40,7 +42,7 @@ left and those of an ordinary power at the nodes on the right; that is all that 
 :given: every pattern of the $k+1$ knots of a function and every span among them, the different knots and $t$ variables;
   random patterns for greater $k$
 :then: $(t_{i+k}-t_i)[t_i,\dots,t_{i+k}](x-t)_+^{k-1}=N_{i,k}(t)$ on the span, by the table of divided differences and
-  by the sum with the weights $\alpha$
+  by the sum with the weights $\alpha$ of (4.4.9)
 :method: The data of the truncated power at $\tau_\lambda$ are $\frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}$
   right of the span and 0 left of it.
 :degrees: 0..4 sampled 7
@@ -58,26 +60,85 @@ CLAIM(truncated_power_gives_the_basis)
         int pattern = G(function_pattern)(T, k, m), groups = 1;
         for (int a = 0; a < k; a++)
             groups += pattern >> a & 1;
+        num alpha[LARGEST_ORDER + 1][LARGEST_ORDER + 1];
         for (int g = 0; g + 1 < groups; g++) {
             struct G(span) S = G(span_of_function)(k, pattern, g, x);
             struct G(nodes) n = G(nodes_of)(&S);
-            num data[LARGEST_ORDER + 1], alpha[LARGEST_ORDER + 1], sum = from_int(0), length = sub(S.t[k], S.t[0]);
+            num data[LARGEST_ORDER + 1], sum = from_int(0), length = sub(S.t[k], S.t[0]);
+            if (g == 0)
+                G(cofactor_weights)(&n, k, alpha);
             for (int i = 0, row = 0; i < n.d; i++)
                 for (int mu = 0; mu < n.l[i]; mu++, row++) {
                     int counts = fault(T, n.right[i], !n.right[i]);
                     data[row] = counts ? G(power_datum)(k, mu, n.tau[i], t, k - 1) : from_int(0);
+                    sum = add(sum, mul(alpha[i][mu], data[row]));
                 }
             num N = G(basis_value)(&S, 0, k, t);
             about(T, "by the table");
             /* (t_i+k - t_i) [t_i, ..., t_i+k] (x - t)_+^(k-1) = N_i,k(t) */
             same(T, mul(length, G(divided_difference)(n.d, n.l, n.tau, data)), N);
             about(T, "by the weights");
-            G(divided_weights)(n.d, n.l, n.tau, alpha);
-            for (int row = 0; row <= k; row++)
-                sum = add(sum, mul(alpha[row], data[row]));
             same(T, mul(length, sum), N);
         }
     }
+}
+
+/*
+That this is so for every order is the recursion of Cox and de Boor again: a truncated power is the one of a degree less times $x-t$, and the divided
+difference of a function times a linear factor is made of two divided differences of the function.
+
+:::{claim} linear_factor_in_a_divided_difference
+:title: The divided difference of a linear factor times a function
+:zh: 线性因子与函数之积的差商
+:types: field rational
+:given: nodes $t_0,\dots,t_k$, $k\ge1$, any of which may be equal; $Q=(x-t_1)\cdots(x-t_k)=xU+q$ and a polynomial $G=c_1U+p$ at $x$, where $U=x^{k-1}$; numbers $c$ and $t$; all
+  variables
+:then: $(x-t)(G+cQ)-c\,(x-t_0)Q=(x-t)G+c\,(t_0-t)\,Q=\bigl(c_1+(t_0-t)c\bigr)xU+x\,p-t\,G+c\,(t_0-t)\,q$
+:method: Let $c=[t_0,\dots,t_k]g$, and let $G$ osculate a function $g$ on $t_1,\dots,t_k$, so that $c_1=[t_1,\dots,t_k]g$.  Then $G+cQ$ osculates $g$ on all nodes: the polynomial of
+  degree $k$ that does, less $G$, is $c$ times $Q$.  So $(x-t)(G+cQ)$ osculates $(x-t)g$, and so does the left side, as $(x-t_0)Q$ osculates 0.  It is of degree $k$:
+  $[t_0,\dots,t_k]\,(x-t)g=(t_0-t)\,[t_0,\dots,t_k]g+[t_1,\dots,t_k]g$.
+:over: t; x t0 U q p c#: -
+:control: $(x-t)Q$ in the place of $(x-t_0)Q$
+:::
+*/
+CLAIM(linear_factor_in_a_divided_difference)
+{
+    num x = unknown(T, "x", 0), t = parameter(T, "t"), t0 = unknown(T, "t", 0), U = unknown(T, "U", 0);
+    num q = unknown(T, "q", 0), p = unknown(T, "p", 0), c = unknown(T, "c", 0), c1 = unknown(T, "c", 1);
+    num Q = add(mul(x, U), q), G = add(mul(c1, U), p), back = mul(c, sub(t0, t));
+    num short_by = mul(c, mul(sub(x, fault(T, t0, t)), Q));
+    about(T, "the polynomial");
+    same(T, sub(mul(sub(x, t), add(G, mul(c, Q))), short_by), add(mul(sub(x, t), G), mul(back, Q)));
+    about(T, "its highest power");
+    num rest = add(sub(mul(x, p), mul(t, G)), mul(back, q));
+    same(T, add(mul(sub(x, t), G), mul(back, Q)), add(mul(add(c1, back), mul(x, U)), rest));
+}
+
+/*
+:::{claim} truncated_power_steps_in_every_order
+:title: From the truncated power of one order to the next, whatever the order
+:zh: 截断幂差商的递推(任意阶数)
+:types: field rational
+:given: an order $k\ge2$; knots $a=t_i$, $b=t_{i+k}$ that differ, $e=t_{i+k-1}\ne a$ and $d=t_{i+1}\ne b$; $N_{i,k-1}=(e-a)A$, $N_{i+1,k-1}=(b-d)B$; any $t$; all variables
+:harmless: $e=t_{i+k-1}\ne a$ and $d=t_{i+1}\ne b$ | where they are equal, the function and the difference are 0
+:let: $D=\frac{B-A}{b-a}$
+:then: $(b-a)\bigl((a-t)D+B\bigr)=\frac{t-a}{e-a}N_{i,k-1}+\frac{b-t}{b-d}N_{i+1,k-1}$, which is $N_{i,k}$
+:method: With $A$ and $B$ the divided differences of $(x-t)_+^{k-2}$ on $t_i,\dots,t_{i+k-1}$ and on $t_{i+1},\dots,t_{i+k}$, $D$ is that on $t_i,\dots,t_{i+k}$ by the table, and
+  $(a-t)D+B$ is that of $(x-t)_+^{k-1}$ (`linear_factor_in_a_divided_difference`).  Where $e=a$ it is $N_{i,k-1}=0$, and $A=0$, a derivative of order $k-1$ of a power $k-2$ or of 0;
+  likewise for $d=b$.  For $k=1$ the difference of $(x-t)_+^0$, 0 at the knots left of the span, 1 right of it, is $\frac1{b-a}$ if the span is $[a,b)$, and 0 otherwise.
+:scope: every multiplicity of the knots of a function
+:over: a b d e N#: -
+:control: $A$ and $B$ exchanged in $D$
+:::
+*/
+CLAIM(truncated_power_steps_in_every_order)
+{
+    num t = parameter(T, "t"), a = unknown(T, "a", 0), b = unknown(T, "b", 0), d = unknown(T, "d", 0);
+    num e = unknown(T, "e", 0), N[2] = {unknown(T, "N", 0), unknown(T, "N", 1)};
+    num A = div(N[0], sub(e, a)), B = div(N[1], sub(b, d)), length = sub(b, a);
+    num D = div(sub(fault(T, B, A), fault(T, A, B)), length);
+    num recursion = add(mul(div(sub(t, a), sub(e, a)), N[0]), mul(div(sub(b, t), sub(b, d)), N[1]));
+    same(T, mul(length, add(mul(sub(a, t), D), B)), recursion);
 }
 
 #if RATIONAL
@@ -119,7 +180,10 @@ CLAIM(zero_power_at_a_knot_of_multiplicity_k)
 :refuted-by: full_powers_sum_to_nothing
 :corrected: the same sum over the $\lambda$ with $\tau_\lambda>t_r$ only; over all $\lambda$ it is 0, a divided difference
   of order $k$ of a polynomial of degree $k-1$
-:corrected-by: truncated_power_gives_the_basis all_full_powers_sum_to_nothing
+:corrected-by: truncated_power_gives_the_basis all_full_powers_sum_to_nothing truncated_power_steps_in_every_order linear_factor_in_a_divided_difference
+:argued: every k | By `truncated_power_steps_in_every_order` and `linear_factor_in_a_divided_difference` $N_{i,k}$ is $t_{i+k}-t_i$ times the divided
+  difference of the truncated power for every $k$, which is this sum by lemma 4.4.1.
+  The full power, of degree $k-1$ in $x$, has the coefficient 0 at $x^k$: its divided difference is 0.
 :needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: full_powers
 :::
@@ -129,12 +193,12 @@ CLAIM(zero_power_at_a_knot_of_multiplicity_k)
 static num G(second_line)(const struct G(span) * S, int only_right, num t, int degree)
 {
     struct G(nodes) n = G(nodes_of)(S);
-    num alpha[LARGEST_ORDER + 1], sum = from_int(0);
-    G(divided_weights)(n.d, n.l, n.tau, alpha);
-    for (int i = 0, row = 0; i < n.d; i++)
-        for (int mu = 0; mu < n.l[i]; mu++, row++)
+    num alpha[LARGEST_ORDER + 1][LARGEST_ORDER + 1], sum = from_int(0);
+    G(cofactor_weights)(&n, S->k, alpha);
+    for (int i = 0; i < n.d; i++)
+        for (int mu = 0; mu < n.l[i]; mu++)
             if (!only_right || n.right[i])
-                sum = add(sum, mul(alpha[row], G(power_datum)(S->k, mu, n.tau[i], t, degree)));
+                sum = add(sum, mul(alpha[i][mu], G(power_datum)(S->k, mu, n.tau[i], t, degree)));
     return mul(sub(S->t[S->k], S->t[0]), sum);
 }
 
@@ -148,7 +212,7 @@ because the condition $\tau_\lambda>t_r$ comes back in (4.4.12).
 :zh: 不截断则和恒为零
 :given: every pattern of the $k+1$ knots of a function, the different knots and $t$ variables; random patterns for greater $k$
 :then: the printed second line is 0 for every $t$
-:method: The sum with the weights $\alpha$ of all $\tau_\lambda$.
+:method: The sum with the weights $\alpha$ of (4.4.9) of all $\tau_\lambda$.
 :degrees: 0..4 sampled 7
 :scope: every multiplicity of the knots of a function
 :over: t#: knots
@@ -179,7 +243,7 @@ CLAIM(all_full_powers_sum_to_nothing)
 :data: t_i = 0 1 2; t = 1/2
 :then: the sum over all $\lambda$ is 0, which $N_{i,2}(t)$ is not; so is the third line, which is the second expanded
 :result: second line = 0; third line = 0; N_i,2(t) = 1/2
-:method: Both lines by their letter, with the weights of the divided difference.
+:method: Both lines by their letter, with the weights of (4.4.9).
 :control: only the $\tau_\lambda>t_r$
 :::
 */
@@ -188,14 +252,15 @@ static num G(third_line)(const struct G(span) * S, int only_right, num u)
 {
     int k = S->k;
     struct G(nodes) n = G(nodes_of)(S);
-    num alpha[LARGEST_ORDER + 1], t_r = S->t[S->r], step = sub(t_r, S->t[S->r + 1]), sum = from_int(0);
-    G(divided_weights)(n.d, n.l, n.tau, alpha);
-    for (int i = 0, row = 0; i < n.d; i++)
-        for (int mu = 0; mu < n.l[i]; mu++, row++)
+    num alpha[LARGEST_ORDER + 1][LARGEST_ORDER + 1], t_r = S->t[S->r], step = sub(t_r, S->t[S->r + 1]),
+                                                     sum = from_int(0);
+    G(cofactor_weights)(&n, k, alpha);
+    for (int i = 0; i < n.d; i++)
+        for (int mu = 0; mu < n.l[i]; mu++)
             for (int j = 0; j <= k - mu - 1 && (!only_right || n.right[i]); j++) {
                 num factor = mul(div(G(factorial)(k - 1), G(factorial)(k - 1 - mu)), G(choose)(k - 1 - mu, j));
                 num powers = mul(G(power)(sub(n.tau[i], t_r), k - 1 - mu - j), G(power)(mul(step, u), j));
-                sum = add(sum, mul(alpha[row], mul(factor, powers)));
+                sum = add(sum, mul(alpha[i][mu], mul(factor, powers)));
             }
     return mul(sub(S->t[k], S->t[0]), sum);
 }
@@ -225,7 +290,10 @@ CLAIM(full_powers_sum_to_nothing)
 :class: invalid-proof
 :refuted-by: full_powers_sum_to_nothing
 :corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
-:corrected-by: binomial_theorem_in_every_degree truncated_power_gives_the_basis
+:corrected-by: binomial_theorem_in_every_degree truncated_power_gives_the_basis truncated_power_steps_in_every_order linear_factor_in_a_divided_difference
+:argued: every k | By `truncated_power_steps_in_every_order` and `linear_factor_in_a_divided_difference` $N_{i,k}$ is $t_{i+k}-t_i$ times the divided
+  difference of the truncated power for every $k$, which is the second line as
+  corrected.
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :confirmed-by: powers_expand_in_the_parameter printed_double_sum_gives_the_basis

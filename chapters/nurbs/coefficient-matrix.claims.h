@@ -79,6 +79,8 @@ CLAIM(empty_span_has_no_parameter)
   that it becomes (4.4.2), then (4.4.2) is called the representation of the curve (4.1.1) on $[t_r,t_{r+1})$ in the power basis, and (4.4.3) its coefficient matrix
 :definition: yes
 :checked-by: matrix_holds_the_powers_of_the_basis
+:argued: every order and every pattern of knots | By the recursion every $N_{i,k}$ is a polynomial of degree $k-1$ in $t$ on the span, whatever knots coincide, and so one in $u$; its
+  coefficients are a column of the matrix.
 :confirmed-by: coefficient_matrix_is_affinely_invariant
 :argued: its being the only one | The points are arbitrary, and the powers of $u$ independent.
 :needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
@@ -158,6 +160,8 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
 :printed: \mathbf r^*(u)=\sum_{i=r-k+1}^rN_{i,k}(t)\mathbf r_i=(1,u,\dots,u^{k-1})\,\mathbf A_{r,k,T}\,(\mathbf
   r_{r-k+1},\mathbf r_{r-k+2},\dots,\mathbf r_r)^T,\quad 0\le u<1
 :holds-by: matrix_gives_homogeneous_curve
+:argued: every k and every pattern of knots | By the recursion every $N_{i,k}$ is a polynomial of degree $k-1$ in $t$ on the span, whatever knots coincide, and so one in $u$; its
+  coefficients are a column of the matrix.
 :confirmed-by: quotient_of_the_matrix_sums_is_the_affine_curve
 :needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $0\le u<1$ | $t$ lies in the span
@@ -285,6 +289,8 @@ CLAIM(affine_points_need_the_weights)
   \dots&\dots&\dots&\dots\\a_{k-1,r-k+1}&a_{k-1,r-k+2}&\dots&a_{k-1,r}\end{pmatrix}
 :definition: yes
 :checked-by: matrix_holds_the_powers_of_the_basis
+:argued: every k and every pattern of knots | By the recursion every $N_{i,k}$ is a polynomial of degree $k-1$ in $t$ on the span, whatever knots coincide, and so one in $u$; its
+  coefficients are a column of the matrix.
 :confirmed-by: coefficient_rows_have_fixed_sums
 :needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
 :figure: matrices_of_merging_knots
@@ -349,6 +355,8 @@ the different knots.  So they settle every multiplicity of the knots around a sp
 :zh: B 样条基在区间上为 u 的多项式
 :printed: for $i=r-k+1,r-k+2,\dots,r$ there is $N_{i,k}(t)=N_{i,k}^*(u)=\sum_{j=0}^{k-1}a_{ji}u^j$, $u=(t-t_r)/(t_{r+1}-t_r)\in[0,1)$, $t\in[t_r,t_{r+1})$
 :holds-by: printed_double_sum_gives_the_basis
+:argued: every k | Summed over the $\tau_\lambda>t_r$ alone, the lines of the proof are true for every $k$ (`thm-4.4.1-step-1`, `thm-4.4.1-step-2`, `thm-4.4.1-step-expansion`,
+  `thm-4.4.1-step-collect`).
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
@@ -370,18 +378,6 @@ the different knots.  So they settle every multiplicity of the knots around a sp
 :control: the upper limit one less for double knots and more
 :::
 */
-/* The weights (4.4.8), (4.4.9): cofactors of the last column of the matrix of derivatives over the product
- * that is its determinant. */
-static void G(cofactor_weights)(const struct G(nodes) * n, int k, num alpha[][LARGEST_ORDER + 1])
-{
-    num H[(LARGEST_ORDER + 1) * (LARGEST_ORDER + 1)];
-    G(osculation_matrix)(n->d, n->l, k, n->tau, H);
-    num det = G(confluent_vandermonde_determinant)(n->d, n->l, n->tau);
-    for (int i = 0, row = 0; i < n->d; i++)
-        for (int j = 0; j < n->l[i]; j++, row++)
-            alpha[i][j] = div(G(cofactor)(k + 1, H, row, k), det);
-}
-
 /* Formula (4.4.12) by its letter, i = 0.  `short_by` shortens the inner sum where l > 1. */
 static num G(printed_coefficient)(const struct G(span) * S, const struct G(nodes) * n, num alpha[][LARGEST_ORDER + 1],
                                   int j, int short_by)
@@ -437,9 +433,11 @@ the sums has room for.
   \sum_{\mu=0}^{k-1-\max(j,k-l_\lambda)}\alpha_{\lambda\mu}(T_i)\frac{(k-1)!}{j!(k-1-\mu-j)!}(\tau_\lambda-t_r)^{k-1-\mu-j}$,
   $j=0,1,\dots,k-1$
 :holds-by: printed_double_sum_gives_the_basis
+:argued: every k | Summed over the $\tau_\lambda>t_r$ alone, the lines of the proof are true for every $k$ (`thm-4.4.1-step-1`, `thm-4.4.1-step-2`, `thm-4.4.1-step-expansion`,
+  `thm-4.4.1-step-collect`).
 :confirmed-by: column_by_differences_is_the_function
 :needs: polynomial_of_a_span_ends_with_it | (4.4.11): $t\in[t_r,t_{r+1})$ | $t$ lies in the span
-:needs: full_powers_sum_to_nothing | the sum is printed over $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
+:needs: full_powers_sum_to_nothing | (4.4.12): the sum has the condition $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
   summed
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
@@ -488,8 +486,10 @@ CLAIM(column_by_differences_is_the_function)
 :printed: the sums of (4.4.12) run over $\lambda=1,\ \tau_\lambda>t_r$ to $d(T_i)$ and over $\mu=0$ to $k-1-\max(j,k-l_\lambda)$, for
   $i=r-k+1,r-k+2,\dots,r$; $j=0,1,\dots,k-1$
 :holds-by: printed_double_sum_gives_the_basis
+:argued: every k | Summed over the $\tau_\lambda>t_r$ alone, the lines of the proof are true for every $k$ (`thm-4.4.1-step-1`, `thm-4.4.1-step-2`, `thm-4.4.1-step-expansion`,
+  `thm-4.4.1-step-collect`).
 :confirmed-by: summation_orders_agree
-:needs: full_powers_sum_to_nothing | the sum is printed over $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
+:needs: full_powers_sum_to_nothing | (4.4.12): the sum has the condition $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
   summed
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
@@ -501,6 +501,7 @@ CLAIM(column_by_differences_is_the_function)
 :zh: 由此得 NURBS 曲线的系数矩阵表示
 :printed: this gives the representation (4.4.2) of the NURBS curve (4.1.1) on $[t_r,t_{r+1})$
 :holds-by: printed_double_sum_gives_the_basis matrix_holds_the_powers_of_the_basis matrix_gives_homogeneous_curve
+:argued: every order and every pattern of knots | The columns are those of theorem 4.4.1 for every $k$, and the curve is the sum of the points times the functions.
 :confirmed-by: matrix_by_differences_is_the_matrix
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty

@@ -71,8 +71,8 @@ derivatives, and the next one does not vanish.  At one node that is an induction
 :method: The product rule with $P'=(m-1)P/(t-\tau)$ against the product.  By induction $f,f',\dots,f^{(m-1)}$ vanish at $\tau$, and $f^{(m)}(\tau)=m!\,h(\tau)$: a difference
   $p-q$ of polynomials has so many derivatives 0 just when it is divisible by $(t-\tau)^m$.
 :types: field
-:degrees: all
-:over: m: multiplicity; t0: node; x P h#: -
+:degrees: multiplicity = all
+:over: m t0 x P h#: -
 :control: $m+1$ in the place of $m$ in $h_1$
 :::
 */
@@ -193,6 +193,7 @@ $\tau_i$, the rows of the derivatives of order $0,\dots,l_i-1$ of $1,t,\dots,t^k
   f_0^{(l_d-1)}(\tau_d)&f_1^{(l_d-1)}(\tau_d)&\dots&f_{k-1}^{(l_d-1)}(\tau_d)&f_k^{(l_d-1)}(\tau_d)\end{pmatrix}
 :definition: yes
 :checked-by: confluent_vandermonde_holds_derivatives system_says_osculation
+:argued: every k | Each differentiation of a power brings its exponent down as a factor and lowers it by one.
 :figure: confluent_row
 
 The functions are any; what is checked are the powers, $f_m=t^m$.
@@ -304,9 +305,11 @@ CLAIM(system_says_osculation)
 :refuted-by: printed_last_row_has_wrong_factor
 :corrected: the last entry is $\frac{k!}{(k-l_i+1)!}\tau_i^{k-l_i+1}$, the derivative of order $l_i-1$ of $t^k$
 :corrected-by: confluent_vandermonde_holds_derivatives system_says_osculation
+:argued: every k | Each differentiation of a power brings its exponent down as a factor and lowers it by one.
 :figure: confluent_row
 
-For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.
+For $l_i=k$ and $l_i=k+1$ the printed factorial is that of a negative number.  The last row of $\tau_i$ begins with $l_i-1$ zeros, which are three at least, as
+printed, from $l_i=4$ on.
 :::
 */
 
@@ -350,6 +353,7 @@ CLAIM(printed_last_row_has_wrong_factor)
 :refuted-by: mixed_column_is_no_system
 :corrected: H(T;1,t,\dots,t^k)\,(c_0,\dots,c_k)^T=(f(\tau_1),\dots,f^{(l_1-1)}(\tau_1),\dots,f^{(l_d-1)}(\tau_d))^T
 :corrected-by: system_says_osculation
+:argued: every k | A derivative of $c_0+\dots+c_kt^k$ is the sum of those of its terms, which are the entries of a row times the $c_m$.
 :figure: osculating_polynomial
 
 No equals sign is printed.  Two columns have run into one, in the copy at hand if not in the book: the unknowns $c_0,\dots,c_k$, which the sentence names, an equals sign, and
@@ -407,6 +411,7 @@ CLAIM(mixed_column_is_no_system)
 :refuted-by: printed_last_row_has_wrong_factor
 :corrected: it is, once the factorials in the last rows of (4.4.6) are put right
 :corrected-by: confluent_vandermonde_holds_derivatives
+:argued: every k | Each differentiation of a power brings its exponent down as a factor and lowers it by one.
 :figure: confluent_row
 :::
 
@@ -414,7 +419,10 @@ CLAIM(mixed_column_is_no_system)
 :title: The determinant of the system
 :zh: 合流 Vandermonde 行列式
 :printed: \det H(T;1,t,\dots,t^k)=\prod_{1\le i<j\le d}(\tau_j-\tau_i)^{l_il_j}\prod_{i=1}^d\prod_{j=0}^{l_i-1}j!
-:holds-by: confluent_vandermonde_determinant_is_product
+:holds-by: confluent_vandermonde_determinant_is_product derivative_lowers_the_multiplicity_by_one
+:argued: every k | Let $\omega$ be the product of $t-t_i$ over all nodes but one $\tau_d$: $t^k$ and lower powers, so that $\omega$ may stand for $t^k$ in the last column.  Its entries
+  there are 0, but $(l_d-1)!\prod_{i<d}(\tau_d-\tau_i)^{l_i}$ in the last row (`derivative_lowers_the_multiplicity_by_one`).  So the determinant is this times that of one node less, and so
+  is the product; for $k=0$ both are 1.
 :figure: confluent_row
 :::
 */
@@ -477,6 +485,7 @@ CLAIM(confluent_vandermonde_determinant_is_product)
 :zh: 方程组有唯一解
 :printed: hence (4.4.6) has exactly one solution
 :holds-by: confluent_vandermonde_determinant_is_product system_says_osculation
+:argued: every order | The determinant is the product for every $k$ (`formula-4.4.6-determinant`), and the rows say for every $k$ what osculation asks (`formula-4.4.6-right-side`).
 :meant: the determinant before it, that of $H(T;1,t,\dots,t^k)$ | (4.4.6) as corrected in `formula-4.4.6` and `formula-4.4.6-right-side`.
 :needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are
   counted by multiplicity: so the $\tau_i$ differ
@@ -526,7 +535,8 @@ CLAIM(node_listed_twice_makes_h_singular)
 :zh: 广义差商即密切插值多项式的首项系数
 :printed: by [14]: if $f(t)$ and the polynomial $g(t)=c_0+c_1t+\dots+c_kt^k$ of degree $k$ osculate on $T$, then the generalised divided difference of $f(t)$ at the knots
   $\{t_0,t_1,\dots,t_k\}$ is $[t_0,t_1,\dots,t_k]f=c_k$
-:holds-by: divided_difference_is_leading_coefficient
+:holds-by: divided_difference_is_leading_coefficient table_step_in_every_order derivative_lowers_the_multiplicity_by_one
+:argued: every k | The table goes from one order to the next by `table_step_in_every_order`, and by `derivative_lowers_the_multiplicity_by_one` no second polynomial osculates.
 :figure: osculating_polynomial
 
 The left side is the table of divided differences.  $g$ has the degree $k$ at most; $c_k$ may be 0.
@@ -569,11 +579,56 @@ CLAIM(divided_difference_is_leading_coefficient)
 }
 
 /*
+What the table does is the same for every order: it makes of two polynomials that osculate on all nodes but one a polynomial that osculates on all.
+
+:::{claim} table_step_in_every_order
+:title: From two entries of the table to the next, whatever the order
+:zh: 差商表的一步(任意阶数)
+:types: field rational
+:given: an order $k\ge1$; two different nodes $a=t_0$ and $b=t_k$; a function $f$ and polynomials $g_0=c_0U+r_0$, $g_1=c_1U+r_1$ at $t$, where $U=t^{k-1}$; a function with the
+  derivatives $F_{s-1}$, $F_s$, $F_{s+1}$ of orders $s-1$, $s$, $s+1$ at $t$; all variables
+:let: $g=\frac{(t-a)g_1-(t-b)g_0}{b-a}$
+:then: (1) $f-g=\frac{(t-a)(f-g_1)-(t-b)(f-g_0)}{b-a}$; (2) $g=\frac{c_1-c_0}{b-a}\,tU+\frac{t\,(r_1-r_0)-a\,g_1+b\,g_0}{b-a}$; (3) the derivative of
+  $(t-a)F_s+sF_{s-1}$ is $(t-a)F_{s+1}+(s+1)F_s$
+:method: By (3) $(t-a)F$ has the derivatives $(t-a)F_s+sF_{s-1}$: at $a$ one more of them vanishes than of $F$, elsewhere as many.  Let $g_0$ osculate $f$ on
+  $t_0,\dots,t_{k-1}$ and $g_1$ on $t_1,\dots,t_k$.  By (1) $g$ osculates $f$ on all, as the factors $t-a$ and $t-b$ make up for the node that is missing, and by (2) its coefficient of
+  $t^k$ is the entry of the table, if $c_0$ and $c_1$ are the two before.  Where all nodes are one, the entry $f^{(k)}/k!$ is the last coefficient of the polynomial of Taylor.  No other
+  polynomial of degree $k$ osculates $f$: the difference of two is divisible by the product of $k+1$ factors (`derivative_lowers_the_multiplicity_by_one`).
+:over: t#: different nodes; x f c# r# F# U s: -
+:control: $g_0$ and $g_1$ exchanged in $g$
+:::
+*/
+CLAIM(table_step_in_every_order)
+{
+    num t[2], x = unknown(T, "x", 0), U = unknown(T, "U", 0), f = unknown(T, "f", 0), r[2], c[2], g[2], F[3];
+    G(increasing)(T, 2, t);
+    for (int m = 0; m < 2; m++) {
+        r[m] = unknown(T, "r", m);
+        c[m] = unknown(T, "c", m);
+        g[m] = add(mul(c[m], U), r[m]);
+    }
+    num length = sub(t[1], t[0]), up = sub(x, t[0]), down = sub(x, t[1]);
+    num both = div(sub(mul(up, g[fault(T, 1, 0)]), mul(down, g[fault(T, 0, 1)])), length);
+    about(T, "what is missing to f");
+    same(T, sub(f, both), div(sub(mul(up, sub(f, g[1])), mul(down, sub(f, g[0]))), length));
+    about(T, "the highest power");
+    num rest = add(sub(mul(x, sub(r[1], r[0])), mul(t[0], g[1])), mul(t[1], g[0]));
+    same(T, both, add(mul(div(sub(c[1], c[0]), length), mul(x, U)), div(rest, length)));
+    num s = whole(T, "s", 0, 9);
+    for (int m = 0; m < 3; m++)
+        F[m] = unknown(T, "F", m);
+    about(T, "one derivative more"); /* (up F_s)' + s F_s, as up' = 1 */
+    same(T, add(add(F[1], mul(up, F[2])), mul(s, F[1])), add(mul(up, F[2]), mul(add(s, from_int(1)), F[1])));
+}
+
+/*
 :::{statement} wang-ch4:formula-4.4.7
 :title: The divided difference as a quotient of determinants
 :zh: 差商的行列式之比表示
 :printed: [t_0,t_1,\dots,t_k]f=c_k=\det H(T;1,t,\dots,t^{k-1},f)/\det H(T;1,t,\dots,t^k)
 :holds-by: cramers_rule_gives_divided_difference divided_difference_is_leading_coefficient
+:argued: every k | The difference is $c_k$ for every $k$ (`divided-difference-is-leading-coefficient`).  $f$ and $g$ have the same data, so the last column of the upper determinant is the sum of $c_m$ times the columns of the powers.  A column that is there twice adds
+  nothing, and the determinant is $c_k$ times the lower one, which is not 0 (`formula-4.4.6-determinant`).
 :::
 
 :::{claim} cramers_rule_gives_divided_difference
@@ -612,6 +667,8 @@ CLAIM(cramers_rule_gives_divided_difference)
 :printed: the divided difference of order $k$ of a function $f$ on the knot vector $T$ of (4.4.5) is explicitly
   $[t_0,t_1,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)$
 :holds-by: printed_weights_give_divided_difference
+:argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
+  do not contain $f$.
 :figure: osculating_polynomial
 :::
 */
@@ -685,6 +742,8 @@ CLAIM(printed_weights_give_divided_difference)
 :zh: (4.4.8) 差商的求和式
 :printed: [t_0,t_1,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)
 :holds-by: printed_weights_give_divided_difference
+:argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
+  do not contain $f$.
 :figure: osculating_polynomial
 
 The sum is that of `lemma-4.4.1`, and the number (4.4.8) stands at it.
@@ -722,6 +781,8 @@ CLAIM(places_count_the_rows)
 :zh: 引理 4.4.1 的推导
 :printed: expanding the numerator of (4.4.7) by its last column gives the lemma
 :holds-by: cramers_rule_gives_divided_difference printed_weights_give_divided_difference confluent_vandermonde_determinant_is_product
+:argued: every order | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
+  do not contain $f$.
 :::
 
 :::{statement} wang-ch4:formula-4.4.9
@@ -730,6 +791,8 @@ CLAIM(places_count_the_rows)
 :printed: \alpha_{ij}(T)=\beta_{b(i,j)}\Big/\Big(\prod_{1\le u<v\le d}(\tau_v-\tau_u)^{l_ul_v}\prod_{u=1}^d
   \prod_{v=0}^{l_u-1}v!\Big)
 :holds-by: printed_weights_give_divided_difference
+:argued: every order | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
+  do not contain $f$.
 :needs: counting_from_one_shifts_the_weights | the line below: the $\beta_i$, $i=0,1,\dots,k$ | the elements of the last column
   are counted from 0; as $i=0,1,\dots,k$ says
 
@@ -771,6 +834,8 @@ CLAIM(counting_from_one_shifts_the_weights)
 :zh: 行标 b(i,j)
 :printed: b(i,j)=j\ (i=1),\quad b(i,j)=j+\sum_{c=1}^{i-1}l_c\ (i>1),\quad i=1,2,\dots,d;\ j=0,1,\dots,l_i-1
 :holds-by: printed_weights_give_divided_difference
+:argued: every order | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
+  do not contain $f$.
 :confirmed-by: places_count_the_rows
 
 The places are the numbers $0,\dots,k$, each once.
@@ -781,6 +846,7 @@ The places are the numbers $0,\dots,k$, each once.
 :zh: 系数依赖于节点而与 f 无关
 :printed: \alpha_{ii}(T)\ \text{depends on }T\text{ and not on }f
 :holds-by: printed_weights_give_divided_difference weights_are_the_only_ones
+:argued: every order | The lemma is true for every $k$, and data of which one is 1 and the others are 0 give the weights one by one.
 :meant: (4.4.9), whose numbers are the $\alpha_{ij}(T)$ | All $\alpha_{ij}(T)$, of which the indices are printed $ii$, see `notation-4.4`.
 
 Only nodes and multiplicities enter the cofactors, and because the

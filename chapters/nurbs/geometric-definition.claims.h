@@ -326,46 +326,54 @@ it by continuing each segment beyond its knots.
 :::{claim} legs_are_tangents_of_the_continued_segments
 :title: The leg over a span is a piece of the tangent at τ of the segment of that span, continued to τ
 :zh: 各段直线是该段延拓后在 τ 处的切线
-:given: order $k$; $n=k+2$ homogeneous points over simple knots; any $\tau$ and $t$; every span; $r=k-2$
+:given: order $k$; homogeneous points over simple knots, and over knots one of which, inside, is double, $(k-1)$-fold or $k$-fold; any $\tau$ and $t$; every
+  span; $r=k-2$
 :then: $\sum_{i=k-1}^nN_{i,2}(t)\,w_i^{[k-2]}(\tau)(r_i^{[k-2]}(\tau),1)=P_j(\tau)+\frac{t-\tau}{k-1}P_j'(\tau)$ with
   the polynomials $P_j$ of the span of $t$
-:method: The levels by the recursion for all indices, by its letter; the sum by the recursion of de Boor and Cox as it
-  is defined; the right side by the kernel of derivatives, whose parameter is any number.  So for every $t$ of the
+:method: The levels by the recursion for all indices, by its letter, without the $i$ with $t_i=t_{i+k-r}$; the sum of the other terms by the recursion of de Boor
+  and Cox as it is defined; the right side by the kernel of derivatives, whose parameter is any number.  So for every $t$ of the
   span the derivatives by $t$ and by $\tau$ are those of the tangents of one curve.
 :degrees: 2..6 sampled 6
-:scope: simple knots; the distinct knots variables up to order 5, numbers above
+:scope: simple knots, or one inner knot double, (k-1)-fold or k-fold; the distinct knots variables up to order 5, numbers above
 :control: the segment of the first span for every span
 :::
 */
 CLAIM(legs_are_tangents_of_the_continued_segments)
 {
-    int p = T->degree, n = p + 3;
-    char pattern[MOST_KNOTS] = {0};
-    for (int i = 0; i < n + p + 1; i++)
-        pattern[i] = '1';
-    num u[MOST_KNOTS], H[2 * MOST_KNOTS], h[2][MOST_KNOTS], t = parameter(T, "t"), tau = parameter(T, "s");
-    int place[MOST_KNOTS];
-    G(numbers_above)(4, p, G(knots_of_pattern)(T, pattern, u, place), place, u);
-    for (int m = 0; m < 2 * n; m++) {
-        H[m] = unknown(T, "H", m);
-        h[m % 2][m / 2] = H[m];
-    }
-    for (int c = 0; c < 2; c++)
-        for (int r = 1; r <= p - 1; r++)
-            for (int i = n - 1; i >= r; i--) { /* (4.1.3) for i = r+1, ..., n */
-                num length = sub(u[i + p + 1 - r], u[i]);
-                h[c][i] = add(mul(div(sub(tau, u[i]), length), h[c][i]),
-                              mul(div(sub(u[i + p + 1 - r], tau), length), h[c][i - 1]));
+    int p = T->degree;
+    num t = parameter(T, "t"), tau = parameter(T, "s");
+    for (int kind = 0; kind < 4; kind++) {
+        char pattern[MOST_KNOTS] = {0};
+        int many = kind < 2 ? kind + 1 : p + kind - 2, n = kind < 2 ? p + 3 : p + many + 1;
+        for (int i = 0; i < n + p + 2 - many; i++)
+            pattern[i] = (char)('0' + (i == p + 1 ? many : 1));
+        num u[MOST_KNOTS], H[2 * MOST_KNOTS], h[2][MOST_KNOTS];
+        int place[MOST_KNOTS], count = G(knots_of_pattern)(T, pattern, u, place);
+        G(numbers_above)(4, p, count, place, u);
+        for (int m = 0; m < 2 * n; m++) {
+            H[m] = unknown(T, "H", m);
+            h[m % 2][m / 2] = H[m];
+        }
+        for (int c = 0; c < 2; c++)
+            for (int r = 1; r <= p - 1; r++)
+                for (int i = n - 1; i >= r; i--) { /* (4.1.3) for i = r+1, ..., n */
+                    num length = sub(u[i + p + 1 - r], u[i]);
+                    if (place[i] < place[i + p + 1 - r])
+                        h[c][i] = add(mul(div(sub(tau, u[i]), length), h[c][i]),
+                                      mul(div(sub(u[i + p + 1 - r], tau), length), h[c][i - 1]));
+                }
+        for (int interval = place[p]; interval < place[n]; interval++) {
+            int mu = G(span_of_interval)(count, place, fault(T, interval, place[p]));
+            num D[4], step = mul(sub(t, tau), from_ratio(1, p));
+            G(bspline_derivatives)(G(on_span)(p, 2, u, mu, H), tau, 1, D);
+            for (int c = 0; c < 2; c++) {
+                num sum = from_int(0);
+                for (int i = p - 1; i < n; i++)
+                    if (place[i] < place[i + 2])
+                        sum = add(sum, mul(h[c][i], G(cox_de_boor)(1, u, place, i, interval, t)));
+                /* Σ N_i,2(t) w_i[k-2](τ) (r_i[k-2](τ), 1) = P_j(τ) + (t - τ)/(k-1) P_j'(τ) */
+                same(T, sum, add(D[c], mul(step, D[2 + c])));
             }
-    for (int interval = p; interval < n; interval++) {
-        num D[4], step = mul(sub(t, tau), from_ratio(1, p));
-        G(bspline_derivatives)(G(on_span)(p, 2, u, fault(T, interval, p), H), tau, 1, D);
-        for (int c = 0; c < 2; c++) {
-            num sum = from_int(0);
-            for (int i = p - 1; i < n; i++)
-                sum = add(sum, mul(h[c][i], G(cox_de_boor)(1, u, place, i, interval, t)));
-            /* Σ N_i,2(t) w_i[k-2](τ) (r_i[k-2](τ), 1) = P_j(τ) + (t - τ)/(k-1) P_j'(τ) */
-            same(T, sum, add(D[c], mul(step, D[2 + c])));
         }
     }
 }
@@ -481,6 +489,7 @@ CLAIM(convex_polygon_has_a_stationary_leg)
   of its points: where the polygons exist it is the curve alone, unless a segment is straight | With $\tau\ne t$
   the condition holds for finitely many $\tau$ only, the zeros of $\mathbf r'\times\mathbf r''$ of the continued segments; on a
   curve that touches a varying polygon $\tau$ runs through intervals.
+:reading-with: first_level_condition_factors
 :meant: the words "for every", and the section, by which the envelope is all joint solutions | The first and the
   second.
 :corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$
@@ -488,8 +497,14 @@ CLAIM(convex_polygon_has_a_stationary_leg)
   of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
   neighbouring points are on a line
 :corrected-by: legs_are_tangents_of_the_continued_segments quadratic_legs_have_one_envelope first_level_condition_factors
+  divisors_contain_the_span
+:argued: every k and all knots | In the polar form of a segment (4.1.3) puts $\tau$ for one argument, in each of which the form is affine, and at the two points of a leg it divides by
+  no 0 (`divisors_contain_the_span`).  So the leg over the span of $P_j$ goes from $P_j[\tau,\dots,\tau,t_j]$ to $P_j[\tau,\dots,\tau,t_{j+1}]$, along the tangent at $\tau$.
 :confirmed-by: whole_member_is_polar_on_every_span
 :figure: nurbs_polygons_extra
+
+In `first_level_condition_factors` the curve is taken at $t$ and the point of the tangent is told by $\tau$; here it is the other way round, so that $t$ and $\tau$ are to be
+exchanged there.
 :::
 
 For quadratic curves nothing of the kind can happen: a parabola or another conic has no inflection, however far it is

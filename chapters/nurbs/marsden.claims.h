@@ -18,7 +18,7 @@ able to do follows from it: it reproduces the powers of $t$, hence all polynomia
 :checked-by: marsden_coefficients_vanish_at_inner_knots
 :figure: marsden_identity
 
-For $k=1$ it is the empty product.
+For $k=1$ it is the empty product.  The number printed at it is that of the identity, see `formula-4.4.14-label`.
 :::
 */
 
@@ -404,7 +404,7 @@ an approximation, are history and opinion.
 :confirmed-by: marsden_identity_for_every_pattern
 :needs: identity_of_order_one_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose function stands on the right
 
-It reads $(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)$, which is $1=1\cdot1$ on the span.  That it is obvious is an opinion.
+It reads $(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)$, which is $1=1\cdot1$ on the span, the left side as a power without factors also for $x=t$.  That it is obvious is an opinion.
 :::
 
 :::{claim} marsden_identity_of_order_one

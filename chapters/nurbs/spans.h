@@ -161,6 +161,18 @@ static inline struct G(nodes) G(nodes_of)(const struct G(span) * S)
     return n;
 }
 
+/* The weights (4.4.8), (4.4.9): cofactors of the last column of the matrix of derivatives over the product
+ * that is its determinant. */
+static inline void G(cofactor_weights)(const struct G(nodes) * n, int k, num alpha[][LARGEST_ORDER + 1])
+{
+    num H[(LARGEST_ORDER + 1) * (LARGEST_ORDER + 1)];
+    G(osculation_matrix)(n->d, n->l, k, n->tau, H);
+    num det = G(confluent_vandermonde_determinant)(n->d, n->l, n->tau);
+    for (int i = 0, row = 0; i < n->d; i++)
+        for (int j = 0; j < n->l[i]; j++, row++)
+            alpha[i][j] = div(G(cofactor)(k + 1, H, row, k), det);
+}
+
 /* The cases of the claims on columns: all patterns and spans up to the order 5, else a few random patterns. */
 static inline int G(function_patterns)(int k) { return k <= (FIELD ? 5 : 3) ? 1 << k : 3; }
 static inline int G(function_pattern)(trial *T, int k, int m)
