@@ -452,6 +452,8 @@ static const char *command(const char *s, struct text *out)
         free(a.at);
         return e;
     }
+    if (*e == '.' && ((n == 4 && strncmp(s, "left", 4) == 0) || (n == 5 && strncmp(s, "right", 5) == 0)))
+        return e + 1; /* no bracket */
     static const char *const hidden[] = {"noalign", "phantom", "hphantom", "vphantom", "hspace", "vspace"};
     for (size_t k = 0; k < sizeof hidden / sizeof *hidden; k++)
         if (strlen(hidden[k]) == n && strncmp(hidden[k], s, n) == 0) {

@@ -292,52 +292,57 @@ static int ends_with_one_of(const struct document *d, int from, int at, const ch
     return 0;
 }
 
-/* Whether a formula from `from` to `to` is not at its end: a group, an environment or a display is open, or it ends with a sign. */
-static int is_open(const struct document *d, int from, int to)
+/* What of a formula is open behind its first lines. */
+struct opened {
+    int groups, environments, dollars;
+};
+
+static void count_opened(const struct document *d, int from, int to, struct opened *o)
 {
-    static const char *const signs[] = {"=",    "+",     "-",    "<",     ">",      "&",       "\\\\",
-                                        "\\le", "\\leq", "\\ge", "\\geq", "\\cdot", "\\times", NULL};
-    int groups = 0, environments = 0, dollars = 0;
     for (int k = from; k < to; k++) {
-        const int is_command = d->text[k] == '\\';
-        environments += begins(d, k, "\\begin{") - begins(d, k, "\\end{") + begins(d, k, "\\[") - begins(d, k, "\\]");
-        dollars += !is_command && begins(d, k, "$$");
-        k += is_command || begins(d, k, "$$");
-        groups += !is_command && d->text[k] == '{';
-        groups -= !is_command && d->text[k] == '}';
+        const int is_command = d->text[k] == '\\', is_display = begins(d, k, "$$");
+        o->environments +=
+            begins(d, k, "\\begin{") - begins(d, k, "\\end{") + begins(d, k, "\\[") - begins(d, k, "\\]");
+        o->dollars += is_display;
+        o->groups += (d->text[k] == '{') - (d->text[k] == '}');
+        k += is_command || is_display; /* behind \\{, too */
     }
-    return groups > 0 || environments > 0 || dollars % 2 != 0 || ends_with_one_of(d, from, to, signs);
 }
 
-/* Whether the line at `next` goes on with what stands from `at` to `end`: it is indented; what is open goes on, and what begins with a sign; a
- * formula that is printed, and what it is said for, end with an empty line or another field. */
-static int goes_on(const struct document *d, int at, int end, int next)
+/* Whether the line at `next` goes on with the entry that begins at `at` and has come to `end`: it is indented; what is open goes on, and what ends or goes
+ * on with a sign; a formula that is printed, and what it is said for, end with an empty line or another field. */
+static int goes_on(const struct document *d, int at, int end, int next, const struct opened *o)
 {
     static const char *const fields[] = {":printed:", ":for:", NULL};
-    static const char *const signs[] = {"=",       "+",      "<",       ">",      "&",       ")",     "]",
-                                        "}",       "\\]",    "\\le ",   "\\leq",  "\\ge ",   "\\geq", "\\cdot",
-                                        "\\times", "\\quad", "\\qquad", "\\end{", "\\right", NULL};
+    static const char *const ends[] = {"=",    "+",     "-",    "<",     ">",      "&",       "\\\\",
+                                       "\\le", "\\leq", "\\ge", "\\geq", "\\cdot", "\\times", NULL};
+    static const char *const begin[] = {"=",      "+",       "<",      ">",       "&",       ")",
+                                        "]",      "}",       "\\le ",  "\\leq",   "\\ge ",   "\\geq",
+                                        "\\cdot", "\\times", "\\quad", "\\qquad", "\\right", NULL};
     if (d->text[next] == ' ' || d->text[next] == '\t')
         return 1;
     if (isspace((unsigned char)d->text[next]) || d->text[next] == ':')
         return 0;
-    return d->text[at] == ':' ? starts_with_one_of(d, at, fields)
-                              : is_open(d, at, end) || starts_with_one_of(d, next, signs);
+    if (d->text[at] == ':')
+        return starts_with_one_of(d, at, fields);
+    return o->groups > 0 || o->environments > 0 || o->dollars % 2 != 0 || ends_with_one_of(d, at, end, ends) ||
+           starts_with_one_of(d, next, begin);
 }
 
 /* The end of what begins in the line at `at`: of the last line that goes on with it, blanks at the end left out. */
 static int end_of_entry(const struct document *d, int at, int stop)
 {
-    int end = end_of_line(d, at);
-    for (int k = next_line(d, at), to = end; k < stop; k = next_line(d, k)) {
-        while (to > at && isspace((unsigned char)d->text[to - 1]))
-            to--;
-        if (to == at || !goes_on(d, at, to, k))
+    struct opened o = {0};
+    int end = at;
+    for (int k = at, to; k == at || k < stop; k = next_line(d, k)) {
+        if (k > at && (end == at || !goes_on(d, at, end, k, &o)))
             break;
-        to = end = end_of_line(d, k);
+        to = end_of_line(d, k);
+        count_opened(d, k, to, &o);
+        while (to > k && isspace((unsigned char)d->text[to - 1]))
+            to--;
+        end = to > k ? to : end;
     }
-    while (end > at && isspace((unsigned char)d->text[end - 1]))
-        end--;
     return end;
 }
 

@@ -2020,7 +2020,7 @@ class Mistakes(unittest.TestCase):
         """A dot where a factor follows, brackets where one is the argument of a function: what is over the stroke is seen."""
         for printed, told in ((r"\frac{x}{2} y = \frac{x}{2}y", "x/2 · y = x/2 · y"), (r"\frac{x}{2} \binom{2}{1} = x", "x/2 · C(2, 1) = x"), (r"\frac{x}{2} + \frac{x}{2} = x", "x/2 + x/2 = x"),
                               (r"\sin \frac{x}{2} \ge -1", "sin (x/2) ≥ −1"), (r"\sin^2 \frac{x}{2} \ge 0", "sin² (x/2) ≥ 0"), (r"\sin x \frac{y}{2} \ge -y^2 - 1", "sin x y/2 ≥ −y² − 1"),
-                              (r"\frac{d}{dx} x = 1", "d/dx x = 1"), (r"\frac{x}{y + 1} (y + 1) = x", "x/(y + 1) · (y + 1) = x")):
+                              (r"\frac{d}{dx} x = 1", "d/dx x = 1"), (r"\frac{x}{y + 1} (y + 1) = x", "x/(y + 1) · (y + 1) = x"), (r"\left. F(x) \right|_{x=1} = 1", "F(x)|_(x=1) = 1")):
             self.assertIn("Printed\n    " + told + "\n", check(document(printed)).stdout)
 
     def test_what_is_long_is_told_whole(self):
