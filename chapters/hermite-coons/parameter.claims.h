@@ -31,6 +31,7 @@ after a turn it need not be one.
 :reading: turned_graph_is_no_graph | $y=f(x)$ belongs to the axes: a turn can take a graph to what is no graph
 :reading: turned_graph_is_no_graph | $f(x,y)=0$ belongs to the axes: a turn can take a curve to one that has another equation
 :reading: what is inconvenient: an opinion, which no computation decides
+:confirmed-by: maps_of_the_equations_are_one_matrix
 :figure: graphs_and_axes
 
 The functions $x(t)$, $y(t)$ are others after a turn, too; but they are two functions of $t$ again, found by one matrix: `maps_of_the_equations_are_one_matrix`.
@@ -652,6 +653,7 @@ other: for a curve whose shape follows a control polygon, and for a curve that i
   the points, is approximating.  Interpolation: a curve through the points in their order.
 :definition: yes
 :checked-by: one_cubic_passes_through_four_data
+:confirmed-by: parabola_through_the_points_is_nearer
 
 Checked is that a polynomial interpolates, at the parameters $0,1,\dots,n$.  A Bézier curve is of the second kind: in `parabola_through_the_points_is_nearer` it misses one of its points.
 :::
