@@ -448,6 +448,8 @@ CLAIM(maps_of_the_equations_are_one_matrix)
   cubic has two points over one place $(x,s)$.
 :reading: how much freedom, which power is strong or rich: the slides do not say, so that nothing is there to be decided
 :figure: graphs_and_axes
+
+Every graph is among the parametric curves, with $x=t$, and among the surfaces, with $x=u$ and $y=w$: so there are more shapes than those of graphs.
 :::
 
 :::{statement} slides-ch4:1-dimensions
