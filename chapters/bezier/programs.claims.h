@@ -38,7 +38,8 @@ enum { MOST_PLACES = 80 };
 :figure: last_point_lost
 
 In the text at hand the signs `<` are lost, and the line that fills R and the head of the outer loop are one fragment, `for(i=0;i0;m-)`, so that
-"R becomes P" and "from n down" are not to be read there; what the rest of the function needs determines them.
+"R becomes P" and "from n down" are not to be read there; what the rest of the function needs determines them.  `P` is an array of numbers, one coordinate of each point: so the result is one
+coordinate of the point.
 :::
 
 :::{statement} slides-ch4:4-program-step
@@ -221,7 +222,8 @@ The last point has the parameter after npoints steps; the step behind it is not 
 :figure: last_parameter
 
 With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the first and the last point are exact in binary64, too, for one cubic and up to 24 steps:
-`corrected_program_ends_at_the_last_point`.
+`corrected_program_ends_at_the_last_point`.  One coordinate of each point is found; for a curve in the plane the program runs twice.  As printed `decas` stands behind the
+function that calls it, and C++ wants it declared before.
 :::
 */
 
@@ -330,7 +332,7 @@ CLAIM(program_ends_at_one_in_exact_arithmetic)
 :holds-by: program_stays_in_its_arrays
 :argued: every n and every number of steps | The points are read once, P[i] for $i=0,\dots,n$, in each call, and the calls know nothing of one another.
 
-Each of them is read, and no other.
+Each of them is read, and no other.  What `P` holds is one coordinate of each point, since it is an array of numbers.
 :::
 */
 

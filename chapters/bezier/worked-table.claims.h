@@ -227,6 +227,7 @@ CLAIM(exact_values_of_the_table)
 :zh: t=0.35 处的四个基函数值
 :printed: $t=0.35$: $(1-t)^3=0.275$, $3t(1-t)^2=0.444$, $3t^2(1-t)=0.239$, $t^3=0.043$
 :holds-by: table_row_of_thirty_five_hundredths
+:meant: the digits of the column, three or two that count | Each number is the value of the function, rounded to the digits that are printed.
 :figure: worked_table
 :::
 
@@ -397,6 +398,7 @@ CLAIM(table_row_of_middle) { exact_numbers(T); }
 :zh: t=0.65 处的四个基函数值
 :printed: $t=0.65$: $(1-t)^3=0.043$, $3t(1-t)^2=0.239$, $3t^2(1-t)=0.444$, $t^3=0.275$
 :holds-by: table_row_of_sixty_five_hundredths
+:meant: the digits of the column, three or two that count | Each number is the value of the function, rounded to the digits that are printed.
 :figure: worked_table
 :::
 
@@ -452,6 +454,7 @@ CLAIM(table_misses_the_third_x) { wrong_number(T, "x"); }
 :zh: t=0.65 处的纵坐标
 :printed: y(0.65)=2.36
 :holds-by: table_row_of_sixty_five_hundredths
+:meant: the head of the column, $P(t)$ | The number is the value of the curve, rounded to the digits that are printed.
 :confirmed-by: exact_values_of_the_table rounded_factors_of_the_table
 :hypothesis: five_rounded_up_gives_another_digit | a five is not rounded up: 四舍五入 gives 2.37
 :figure: worked_table
@@ -520,6 +523,7 @@ CLAIM(heights_of_the_example_are_symmetric)
 :zh: t=0.85 处的四个基函数值
 :printed: $t=0.85$: $(1-t)^3=0.0034$, $3t(1-t)^2=0.0574$, $3t^2(1-t)=0.325$, $t^3=0.614$
 :holds-by: table_row_of_eighty_five_hundredths
+:meant: the digits of the column, three or two that count | Each number is the value of the function, rounded to the digits that are printed.
 :figure: worked_table
 :::
 */

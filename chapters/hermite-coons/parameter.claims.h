@@ -4,8 +4,9 @@
 The slides begin with a list of reasons for writing curves and surfaces with a parameter.  Most of them are half sentences:
 what a graph $y=f(x)$ cannot do, what an equation $f(x,y)=0$ makes inconvenient, what becomes easy with $P(t)$.  Read as
 mathematics some are statements about what exists, and a curve that has it, or lacks it, decides them; some are general, and proved; and
-some are opinions, of which a part can be decided and the rest is left open.  What can be decided turns out to be true,
-some of it only of explicit equations; the sentence on space curves and cylinders has a section of its own.
+some are opinions, of which a part can be decided and the rest is left open.  Most of what can be decided turns out to be true,
+some of it only of explicit equations, or only where the derivative is not 0, or for polynomials; the sentence on space curves and
+cylinders has a section of its own.
 */
 #include "chapters/hermite-coons/definition.h"
 
@@ -28,8 +29,12 @@ after a turn it need not be one.
 :zh: 非参数方程依赖坐标轴
 :printed: $y=f(x)$ and $f(x,y)=0$ belong to the axes and are inconvenient when the coordinates are changed.
 :reading: turned_graph_is_no_graph | $y=f(x)$ belongs to the axes: a turn can take a graph to what is no graph
-:reading: what it is that $f(x,y)=0$ belongs to the axes, and what is inconvenient: the slides do not say, so that nothing is there to be decided
+:reading: turned_graph_is_no_graph | $f(x,y)=0$ belongs to the axes: a turn can take a curve to one that has another equation
+:reading: what is inconvenient: an opinion, which no computation decides
+:confirmed-by: maps_of_the_equations_are_one_matrix
 :figure: graphs_and_axes
+
+The functions $x(t)$, $y(t)$ are others after a turn, too; but they are two functions of $t$ again, found by one matrix: `maps_of_the_equations_are_one_matrix`.
 :::
 */
 
@@ -40,9 +45,10 @@ after a turn it need not be one.
 :zh: 旋转后不再是函数图形
 :kind: decision
 :data: x = 1 -1
-:result: images = (-1,1) (-1,-1)
+:result: images = (-1,1) (-1,-1); y - x^2 at the images = 0 -2
 :given: two points of $y=x^2$ with the given $x$, turned by a right angle, $(x,y)\mapsto(-y,x)$
-:then: they have one $x$ and two different $y$: no $y=f(x)$ contains both
+:then: they have one $x$ and two different $y$: no $y=f(x)$ contains both; and the second is not on $y=x^2$, so that $y-x^2=0$ is not the equation of the
+  turned curve
 :method: The two images, exactly.
 :control: turned by two right angles
 :::
@@ -56,11 +62,17 @@ CLAIM(turned_graph_is_no_graph)
         image[k * plane] = neg(fault(T, y, x[k]));
         image[k * plane + 1] = fault(T, x[k], neg(y));
     }
+    num left[2];
+    for (int k = 0; k < 2; k++)
+        left[k] = sub(image[k * plane + 1], mul(image[k * plane], image[k * plane]));
     found_points(T, "images", 2, plane, image);
+    found_points(T, "y - x^2 at the images", 2, 1, left);
     about(T, "the two x");
     same(T, image[0], image[plane]);
     about(T, "whether the two y differ");
     agree(T, !equal_q(image[1], image[plane + 1]));
+    about(T, "whether the second image is not on the curve");
+    agree(T, !is_zero_q(left[1]));
 }
 
 /*
@@ -69,6 +81,8 @@ CLAIM(turned_graph_is_no_graph)
 :zh: 一个自变量对应多个值
 :printed: If functions without a parameter are used: in some coordinates a curve has several $y$ for some $x$ and several $x$ for some $y$.
 :holds-by: circle_has_two_values_each_way
+:meant: the formulas $y=f(x)$ and $f(x,y)=0$ beside it | The curve has them, and $f(x,y)=0$ may be its equation; a graph $y=f(x)$ has one $y$ at most for every $x$,
+  so that it is not the whole curve.
 :example: it may happen, and one curve shows it.
 :figure: graphs_and_axes
 :::
@@ -118,8 +132,9 @@ tangent is a vector, and nothing happens: its length is never 0.
 :result: R'(0) = (0,2)
 :given: the quarter circle with the points $R$ and the weights $\omega$; any $t$
 :scope: the stated quarter circle
-:then: $R\cdot R'=0$ and $|R'|=\frac2{1+t^2}$, which is nowhere 0; at $t=0$ the derivative is upright, and there is no slope
-:method: Points and derivatives by the rational kernel; the length by its square.
+:then: $x^2+y^2=1$ for $R=(x,y)$, $R\cdot R'=0$ and $|R'|=\frac2{1+t^2}$, which is nowhere 0; at $t=0$ the derivative is upright, and there is no slope
+:method: Points and derivatives by the rational kernel; the length by its square.  By $xx'+yy'=0$ the slope $\frac{y'}{x'}$ is $-\frac xy$ where $y\ne0$, and passes every bound
+  as $t\to0$, where the point becomes $(1,0)$.
 :control: equal weights
 :::
 */
@@ -130,6 +145,8 @@ CLAIM(circle_has_an_upright_tangent)
     given_points(T, "ω", 3, 1, w);
     num speed = div(from_int(2), add(one, mul(t, t))); /* 2/(1+t^2) */
     G(rational_derivatives)(2, plane, R, w, t, 1, D);
+    about(T, "x^2 + y^2");
+    same(T, add(mul(D[0], D[0]), mul(D[1], D[1])), one);
     about(T, "R times R'");
     vanishes(T, add(mul(D[0], D[2]), mul(D[1], D[3])));
     about(T, "the square of the length of R'");
@@ -152,10 +169,12 @@ an equation without a parameter.
 :reading: parametric_cubic_crosses_itself | hard is what an equation $y=f(x)$ cannot do at all: there is a curve, which crosses itself, that has
   none
 :confirmed-by: nodal_cubic_has_an_equation
+:reading: parametric_cubic_crosses_itself | of surfaces, hard is what an equation $z=f(x,y)$ cannot do at all: there is a surface that has none | The cylinder of the points
+  $(x,s,y)$ with $(x,y)$ on that cubic has two points over one place $(x,s)$.
 :reading: what else is hard, and which curves and surfaces are complicated: an opinion, which no computation decides
 :figure: graphs_and_axes
 
-An equation $f(x,y)=0$ this curve has, and the slides do not say that it has not.
+An equation $f(x,y)=0$ the cubic has, and the slides do not say that it has not.
 :::
 */
 
@@ -169,8 +188,9 @@ An equation $f(x,y)=0$ this curve has, and the slides do not say that it has not
 :instead: e = -1
 :result: y^2 - x^2 (x + e) = "0"
 :given: the cubic $P(t)=\sum_kc_kt^k$, and the equation $y^2=x^2(x+e)$
-:then: $y^2-x^2(x+e)$ is 0 along the curve, for every $t$
-:method: The difference as a polynomial in $t$.
+:then: $y^2-x^2(x+e)$ is 0 along the curve, for every $t$; and $P(t)=(t^2-e,\,t(t^2-e))$, so that no other point satisfies the equation
+:method: The difference and the coordinates as polynomials in $t$.  A point of the equation with $x\ne0$ is $P(t)$ for $t=\frac yx$, since $t^2=x+e$; with $x=0$ it is
+  $(0,0)$, which is $P(t)$ for $t^2=e$.
 :control: $e$ with the other sign
 :::
 */
@@ -186,6 +206,10 @@ CLAIM(nodal_cubic_has_an_equation)
     found_text(T, "y^2 - x^2 (x + e)", poly_to_string(difference, "t"));
     about(T, "whether the difference is 0");
     agree(T, poly_is_zero(difference));
+    num square[3] = {neg(e), from_int(0), from_int(1)}, t[2] = {from_int(0), from_int(1)};
+    about(T, "whether x is t^2 - e, and y is t x");
+    agree(T, poly_is_zero(poly_sub(X, poly_from_q(3, square))));
+    agree(T, poly_is_zero(poly_sub(Y, poly_mul(poly_from_q(2, t), X))));
 }
 
 /*
@@ -272,24 +296,27 @@ CLAIM(tangent_needs_no_slope)
 :kind: counterexample
 :data: R = (0,0) (0,0) (0,1/3) (1,1); t = 0; Q = (1,0)
 :instead: R = (0,0) (0,1/3) (0,2/3) (1,1)
-:given: the cubic with the Bézier points $R$, which has a cusp at $t$ and an upright tangent there, and a point $Q$ that is not on it
+:given: the cubic with the Bézier points $R$, which has a cusp at $t$, where the tangent is along the second derivative and upright, and a point $Q$ that is not on this
+  tangent
 :then: the equation of the tangent, $(X-x)\,y'-(Y-y)\,x'=0$, is not satisfied at $Q$
-:result: derivative = (0,0); left side at Q = 0
-:method: The kernel's point and derivative, put into the equation.
+:result: derivative = (0,0); second derivative = (0,2); left side at Q = 0
+:method: The kernel's point and derivatives; the first put into the equation, the second compared with the way from the point to $Q$.
 :control: a cubic with the same tangent and a derivative that is not 0
 :::
 */
 CLAIM(cusp_has_no_equation_of_the_tangent)
 {
-    num R[4 * plane], Q[plane], D[2 * plane], t = given(T, "t");
+    num R[4 * plane], Q[plane], D[3 * plane], t = given(T, "t");
     given_points(T, "R", 4, plane, R);
     given_points(T, "Q", 1, plane, Q);
-    G(bezier_derivatives)(3, plane, R, t, 1, D);
+    G(bezier_derivatives)(3, plane, R, t, 2, D);
     num from[plane] = {sub(Q[0], D[0]), sub(Q[1], D[1])}, left = G(cross2)(from, D + plane);
+    int upright = is_zero_q(D[2 * plane]) && !is_zero_q(D[2 * plane + 1]), beside = !is_zero_q(from[0]);
     found_points(T, "derivative", 1, plane, D + plane);
+    found_points(T, "second derivative", 1, plane, D + 2 * plane);
     found(T, "left side at Q", left);
     about(T, "whether the equation of the tangent is not satisfied at Q");
-    refute(T, is_zero_q(left));
+    refute(T, upright && beside && is_zero_q(left));
 }
 #endif
 
@@ -324,15 +351,17 @@ The rest of the list says what is gained.  Most items are properties of Bézier 
 :zh: 直线段即一次 Bézier 曲线
 :given: any points $P_1,P_2$ of the plane, any $t$
 :then: $P_1+(P_2-P_1)t=(1-t)P_1+tP_2$ is the curve of `bezier_casteljau`, its derivative by `bezier_derivatives` is $P_2-P_1$, and its
-  distance from $P_1$ is $t$ times the length: $|P(t)-P_1|^2=t^2|P_2-P_1|^2$
-:method: Each form, everything a variable.
+  distances from the ends are $|t|$ and $|1-t|$ times the length: $|P(t)-P_1|^2=t^2|P_2-P_1|^2$ and $|P_2-P(t)|^2=(1-t)^2|P_2-P_1|^2$
+:method: Each form, everything a variable.  For $0\le t\le1$ the two distances add up to the length, so that the point is between $P_1$ and $P_2$; and each of these points has
+  its $t$, the share of its distance from $P_1$.
 :over: x# y#: points
 :control: the two points exchanged in the first form
 :::
 */
 CLAIM(segment_in_its_parameter)
 {
-    num b[4], D[4], t = parameter(T, "t"), length = from_int(0), along = from_int(0);
+    num b[4], D[4], t = parameter(T, "t"), s = sub(from_int(1), t);
+    num length = from_int(0), along = from_int(0), left = from_int(0);
     for (int m = 0; m < 4; m++)
         b[m] = unknown(T, m % 2 == 0 ? "x" : "y", m / 2 + 1);
     G(bezier_derivatives)(1, plane, b, t, 1, D);
@@ -341,14 +370,17 @@ CLAIM(segment_in_its_parameter)
         G(bezier_casteljau)(1, 1, (num[]){b[c], b[plane + c]}, t, &P);
         about(T, "the point");
         same(T, add(from, mul(edge, t)), P);
-        same(T, add(mul(sub(from_int(1), t), b[c]), mul(t, b[plane + c])), D[c]);
+        same(T, add(mul(s, b[c]), mul(t, b[plane + c])), D[c]);
         about(T, "the derivative");
         same(T, D[plane + c], edge);
         length = add(length, mul(edge, edge));
         along = add(along, mul(sub(P, b[c]), sub(P, b[c])));
+        left = add(left, mul(sub(b[plane + c], P), sub(b[plane + c], P)));
     }
     about(T, "the distance from the first point");
     same(T, along, mul(mul(t, t), length));
+    about(T, "the distance from the last point");
+    same(T, left, mul(mul(s, s), length));
 }
 
 /*
@@ -416,6 +448,8 @@ CLAIM(maps_of_the_equations_are_one_matrix)
   cubic has two points over one place $(x,s)$.
 :reading: how much freedom, which power is strong or rich: the slides do not say, so that nothing is there to be decided
 :figure: graphs_and_axes
+
+Every graph is among the parametric curves, with $x=t$, and among the surfaces, with $x=u$ and $y=w$: so there are more shapes than those of graphs.
 :::
 
 :::{statement} slides-ch4:1-dimensions
@@ -425,35 +459,40 @@ CLAIM(maps_of_the_equations_are_one_matrix)
   their number is not limited, so that it is easy to take curves and surfaces from a space of few dimensions to one of more.
 :reading: matrices_pass_to_the_points | from a plane to space: whatever third coordinates the points get, the curve of the plane stays what the first two are, as the
   matrix that leaves the third one out shows
-:confirmed-by: another_coordinate_changes_no_other
-:reading: what is easy, and when variables are completely separated: the slides do not say, so that nothing is there to be decided
+:reading: another_coordinate_changes_no_other | from any number of coordinates to one more: the curve keeps those that it has | Each coordinate of the curve is a sum of its own, of the same
+  functions times this coordinate of the points.
+:reading: what is easy, when variables are completely separated, and which variables besides the coordinates have a number without limit: the slides do not say, so that nothing is there to be decided
 :::
 
 :::{claim} another_coordinate_changes_no_other
 :title: A further coordinate leaves the others as they are
 :zh: 各坐标分量互不影响
-:given: points of space $P_0,\dots,P_n$, any $t$; the points of the plane with their first two coordinates
-:then: the first two coordinates of the curve in space are the curve in the plane
-:method: The kernel in two and in three dimensions, everything a variable.
+:given: points $P_0,\dots,P_n$ with $d+1$ coordinates, $d=1,\dots,5$, any $t$; the points with the first $d$ of these
+:then: the first $d$ coordinates of the curve are the curve of these points
+:method: The kernel in $d$ and in $d+1$ dimensions, everything a variable.
 :degrees: 1..6 sampled 10
-:over: x# y# z#: points
-:control: the plane of the first and the third coordinate
+:scope: 1 to 5 coordinates
+:over: x#: points
+:control: the last coordinate in the place of the one before
 :::
 */
 CLAIM(another_coordinate_changes_no_other)
 {
+    enum { most = 6 };
     int n = T->degree;
-    num b[(MAX_DEGREE + 1) * space], flat[(MAX_DEGREE + 1) * plane], P[space], Q[plane], t = parameter(T, "t");
-    for (int i = 0; i <= n; i++) {
-        for (int c = 0; c < space; c++)
-            b[i * space + c] = unknown(T, c == 0 ? "x" : c == 1 ? "y" : "z", i);
-        flat[i * plane] = b[i * space];
-        flat[i * plane + 1] = b[fault(T, i * space + 1, i * space + 2)];
+    num b[(MAX_DEGREE + 1) * most], flat[(MAX_DEGREE + 1) * most], P[most], Q[most], t = parameter(T, "t");
+    for (int d = 1; d < most; d++) {
+        for (int i = 0; i <= n; i++) {
+            for (int c = 0; c <= d; c++)
+                b[i * (d + 1) + c] = unknown(T, "x", i * most + c);
+            for (int c = 0; c < d; c++)
+                flat[i * d + c] = b[i * (d + 1) + fault(T, c, c == d - 1 ? d : c)];
+        }
+        G(bezier_casteljau)(n, d + 1, b, t, P);
+        G(bezier_casteljau)(n, d, flat, t, Q);
+        for (int c = 0; c < d; c++)
+            same(T, Q[c], P[c]);
     }
-    G(bezier_casteljau)(n, space, b, t, P);
-    G(bezier_casteljau)(n, plane, flat, t, Q);
-    for (int c = 0; c < plane; c++)
-        same(T, Q[c], P[c]);
 }
 
 /*
@@ -472,9 +511,13 @@ CLAIM(another_coordinate_changes_no_other)
 :printed: With $t\in[0,1]$ the coordinates are bounded, and no further parameters are needed to mark the border.
 :holds-by: one_factor_and_one_term_keep_a_bound
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
+:argued: a second parameter | The coefficients of a polynomial of two parameters are polynomials of the second one, and have their bounds by the same claim: so the sum of the absolute values of
+  all coefficients is a bound for $0\le u,w\le1$.
 :hypothesis: quotient_with_a_pole_is_unbounded | the functions are polynomials: quotients of polynomials may have a pole in $[0,1]$
+:meant: the interval $[0,1]$ beside it | The border is what the ends of the interval mark: of a curve the points of $t=0$ and $t=1$, of a surface the four curves of $u=0$, $u=1$, $w=0$ and
+  $w=1$.
 
-A bound of a polynomial is the sum of the absolute values of its coefficients, and the borders are at $t=0$ and $t=1$.
+A bound of a polynomial is the sum of the absolute values of its coefficients.  That all continuous functions are bounded on $[0,1]$ is a theorem of Weierstrass, which is not used here.
 :::
 */
 
@@ -592,10 +635,14 @@ CLAIM(triangle_of_parameters_is_no_rectangle)
 :zh: 便于分段、分片描述与光顺连接
 :printed: With $t\in[0,1]$ curves and surfaces are conveniently described piece by piece, and smooth joints are easy to make.
 :reading: triangle_of_powers_consists_of_powers | a curve of any degree is cut into curves of the same degree over $[0,1]$
+:reading-with: bernstein_sum_of_powers_is_a_power
 :reading: surface_part_is_the_piece | a surface is cut so as well
-:reading: derivatives_go_down_through_the_differences | of any order the derivatives at the ends are differences of the points next to them, so that points can be chosen for a smooth joint
+:reading: derivatives_go_down_through_the_differences | of a curve the derivatives of any order at the ends are differences of the points next to them, so that points can be chosen for a smooth joint
+:reading-with: bernstein_derivative
+:reading: derivatives_go_down_through_the_differences | of a surface those across an edge are so, too | For a fixed $w$ the surface is a curve of the parameter $u$, whose points are those of the rows
+  of the net at $w$; their differences are the curves of the differences of the rows, so that rows can be chosen for a joint that is smooth for every $w$.
+:reading-with: bernstein_derivative
 :reading: what is convenient and what easy: an opinion, which no computation decides
-:confirmed-by: bernstein_sum_of_powers_is_a_power bernstein_derivative
 :::
 
 Last come two pairs of words.  To interpolate is to pass through the points.  To approximate is used in two senses that exclude each
@@ -608,6 +655,9 @@ other: for a curve whose shape follows a control polygon, and for a curve that i
   the points, is approximating.  Interpolation: a curve through the points in their order.
 :definition: yes
 :checked-by: one_cubic_passes_through_four_data
+:confirmed-by: parabola_through_the_points_is_nearer
+
+Checked is that a polynomial interpolates, at the parameters $0,1,\dots,n$.  A Bézier curve is of the second kind: in `parabola_through_the_points_is_nearer` it misses one of its points.
 :::
 
 :::{statement} slides-ch4:1-approximation
