@@ -819,7 +819,7 @@ p(t;f) = f(1-t) + f t
             self.assertEqual(verdict("A_n(0) = x_n", "n = 1..3", let)["verdict"], "fails")
         r = check(document("x = x", "n = 1", "p(t) = q(t)\nr(t) = p(t)\n"))
         self.assertIn("5:8: q is not defined", r.stderr)
-        self.assertIn("6:8: p is not defined", r.stderr)
+        self.assertEqual(r.stderr.count("is not defined"), 1) # p is, but for that
         let = "P, Q \\in \\mathbb{R}^2\n"
         self.assertEqual(verdict("M + M = P + Q, \\text{ where } M = \\frac12 (P+Q)", "n = 1", let)["verdict"], "holds")
         self.assertEqual(verdict("M + M = P, \\text{ where } M = \\frac12 (P+Q)", "n = 1", let)["verdict"], "fails")
@@ -1483,7 +1483,7 @@ class Certificates(unittest.TestCase):
         for printed, ranges, expected in (
                 ("\\sum_{i=0}^n B_i^n(t) = ((1-t)+t)^n \\equiv 1", "n = 0..", "holds"), ("1 = ((1-t)+t)^n = \\sum_{i=0}^n B_i^n(t)", "n = 0..", "holds"),
                 ("\\sum_{i=0}^n B_i^n(t) = ((1-t)+t)^n = 2", "n = 0..", "fails"), ("\\sum_{i=0}^n B_i^n(t) = (1-t)^n + t^n = 1", "n = 0..", "fails"),
-                ("\\sum_{i=0}^n B_i^n(t) = \\sum_{i=0}^n B_i^n(u) = 1", "n = 0..", "undecided"),
+                ("\\sum_{i=0}^n B_i^n(t) = \\sum_{i=0}^n B_i^n(u) = 1", "n = 0..", "holds"), ("\\sum_{i=0}^n B_i^n(t) = \\sum_{i=0}^n B_i^n(u)", "n = 0..", "undecided"),
                 ("\\sum_{i=0}^n \\binom{n}{i} (x_r h)^i = (1+y)^n", "r = 4, n = 0..", "holds"), ("\\sum_{i=0}^n \\binom{n}{i} (x_r h)^i = (1-y)^n", "r = 4, n = 0..", "fails"),
                 ("x_r h = y", "r = 4", "holds"), ("x_r h = r", "r = 4", "fails")):
             with self.subTest(printed=printed):
@@ -2020,7 +2020,7 @@ class Mistakes(unittest.TestCase):
         """A dot where a factor follows, brackets where one is the argument of a function: what is over the stroke is seen."""
         for printed, told in ((r"\frac{x}{2} y = \frac{x}{2}y", "x/2 · y = x/2 · y"), (r"\frac{x}{2} \binom{2}{1} = x", "x/2 · C(2, 1) = x"), (r"\frac{x}{2} + \frac{x}{2} = x", "x/2 + x/2 = x"),
                               (r"\sin \frac{x}{2} \ge -1", "sin (x/2) ≥ −1"), (r"\sin^2 \frac{x}{2} \ge 0", "sin² (x/2) ≥ 0"), (r"\sin x \frac{y}{2} \ge -y^2 - 1", "sin x y/2 ≥ −y² − 1"),
-                              (r"\frac{d}{dx} x = 1", "d/dx x = 1"), (r"\frac{x}{y + 1} (y + 1) = x", "x/(y + 1) · (y + 1) = x"), (r"\left. F(x) \right|_{x=1} = 1", "F(x)|_(x=1) = 1")):
+                              (r"\frac{d}{dx} x = 1", "d/dx x = 1"), (r"\frac{x}{y + 1} (y + 1) = x", "x/(y + 1) · (y + 1) = x"), (r"\left. F(x) \right|_{x=1} = 1", "F(x) |ₓ₌₁ = 1")):
             self.assertIn("Printed\n    " + told + "\n", check(document(printed)).stdout)
 
     def test_what_is_long_is_told_whole(self):
