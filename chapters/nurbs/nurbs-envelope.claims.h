@@ -38,8 +38,8 @@ quotients $0/0$.
 :::{claim} segment_needs_the_points_of_its_span
 :title: On a span the sum over all points is the sum over the k points of the span
 :zh: 在一段上全部项之和即该段 k 项之和
-:given: order $k$; $k+2$ points and weights over knots of these patterns: an inner knot of every multiplicity
-  $1,\dots,k$ among simple ones, and $k$-fold ends with two simple knots between; every span $[t_j,t_{j+1})$; any $t$
+:given: order $k$; points and weights over knots of these patterns: simple ones, among which one inside the domain has any multiplicity
+  $1,\dots,k$, and $k$-fold ends with two simple knots between; every span $[t_j,t_{j+1})$ of the domain; any $t$
 :then: $\sum_{i=1}^nN_{i,k}(t)w_ir_i=\sum_{i=j-k+1}^jN_{i,k}(t)w_ir_i$, and the same for $w$
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
   the sum of the kernel's values on the span.
@@ -51,9 +51,10 @@ quotients $0/0$.
 */
 CLAIM(segment_needs_the_points_of_its_span)
 {
-    int p = T->degree, n = p + 3;
+    int p = T->degree;
     for (int many = 1; many <= p + 2; many++) {
         char pattern[MOST_KNOTS] = {0};
+        int n = p + 1 + (many > 1 && many <= p + 1 ? many : 2); /* spans on both sides of the knot */
         if (many > p + 1)
             snprintf(pattern, sizeof pattern, "%d11%d", p + 1, p + 1);
         else
