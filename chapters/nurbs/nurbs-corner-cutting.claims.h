@@ -52,8 +52,8 @@ give the same curve, that their factors lie between $0$ and $1$, and for which k
 :::{claim} printed_insertion_keeps_the_curve
 :title: The printed points, weights and knots give the same curve
 :zh: 所印嵌入公式不改变曲线
-:given: orders $k=1,\dots,6$ (sampled to $7$): all knots simple; both ends of multiplicity $k$ and one knot between, of any
-  multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or any knot of the domain but $t_1$
+:given: orders $k=1,\dots,6$ (sampled to $7$): $2k+1$ knots, for $k\le4$ every pattern of them, none more than $k$-fold, for $k>4$ simple ones; both ends of
+  multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or any knot of the domain but $t_1$
 :let: $c_i$ any numbers, weights equal
 :then: $\sum_iN_{i,k}(t)c_i=\sum_iN'_{i,k}(t)c'_i$ on every interval of the domain, $c'_i=(1-\alpha_i)c_{i-1}+\alpha_ic_i$ with the
   printed $\alpha_i$
@@ -61,7 +61,8 @@ give the same curve, that their factors lie between $0$ and $1$, and for which k
   variables.  The coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
   `inserted_points_divide_the_edges` it holds for any weights.
 :degrees: k = 1..6 sampled 7
-:scope: simple knots, and clamped ends with one knot between; the distinct knots variables up to order 5, numbers above
+:scope: every pattern of 2k+1 knots up to order 4, simple ones above, and clamped ends with one knot between; the distinct knots variables up to order 5,
+  numbers above
 :control: $\alpha_i$ taken with $t_{i+k}$ for $t_{i+k-1}$
 :::
 */
@@ -88,15 +89,31 @@ static void G(compare_curves)(trial *T, int k, const struct G(knot_vector) * K, 
     }
 }
 
-/* The patterns of this claim and the next: 2k+1 simple knots for m = 0; else both ends k-fold, and an m-fold knot between. */
-static void G(pattern_of_insertion)(int k, int m, char pattern[MOST_KNOTS])
+/* The patterns of this claim and the next two, numbered from 0: simple knots; both ends k-fold, and an m-fold knot between, m = 1, ...,
+ * k; up to order ALL_PATTERNS then all of 2k+1 knots, no one more than k-fold, with t_k < t_{n+1}.  Returns the next number; 0 when there
+ * is no pattern of this number. */
+enum { ALL_PATTERNS = 4 };
+static int G(pattern_of_insertion)(int k, int number, char pattern[MOST_KNOTS])
 {
-    if (m > 0) {
-        snprintf(pattern, MOST_KNOTS, "%d%d%d", k, m, k);
-        return;
+    int all = 1 << 2 * k;
+    if (number > 0 && number <= k) {
+        snprintf(pattern, MOST_KNOTS, "%d%d%d", k, number, k);
+        return number + 1;
     }
-    memset(pattern, '1', (size_t)(2 * k + 1));
-    pattern[2 * k + 1] = '\0';
+    /* bit i: whether knot i+2 differs from knot i+1 */
+    for (int bits = number == 0 ? all - 1 : number - k - 1; bits < all && (number == 0 || k <= ALL_PATTERNS); bits++) {
+        int at = 0, most = '1';
+        memset(pattern, 0, MOST_KNOTS);
+        pattern[0] = '1';
+        for (int i = 0; i < 2 * k; i++) {
+            at += bits >> i & 1;
+            pattern[at] = (char)(pattern[at] == 0 ? '1' : pattern[at] + 1);
+            most = pattern[at] > most ? pattern[at] : most;
+        }
+        if (most <= '0' + k && (bits >> (k - 1) & 3) != 0)
+            return number == 0 ? 1 : bits + k + 2;
+    }
+    return 0;
 }
 
 /* In the field above order 5: 0, 1, 3, 6, 10, ... in the place of the variables; places are multiples of 4. */
@@ -110,8 +127,7 @@ CLAIM(printed_insertion_keeps_the_curve)
 {
     int k = T->degree;
     char pattern[MOST_KNOTS];
-    for (int m = 0; m <= k; m++) {
-        G(pattern_of_insertion)(k, m, pattern);
+    for (int m = 0, next; (next = G(pattern_of_insertion)(k, m, pattern)) > 0; m = next) {
         struct G(knot_vector) K = G(pattern)(T, pattern);
         G(numbers_for_knots)(k, &K);
         for (int place = K.place[k]; place <= K.place[K.count - k + 1]; place += 2) /* knots, and numbers between */
@@ -124,13 +140,13 @@ CLAIM(printed_insertion_keeps_the_curve)
 :::{claim} printed_factors_are_the_discrete_shares
 :title: The factors of lemma 4.2.1 are the discrete B-splines of one knot
 :zh: 所印因子即单节点的离散 B 样条
-:given: all knots simple, or both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $\tau$ inside any interval between $t_1$ and $t_{n+k}$, or a knot
-  there of a multiplicity below $k$; the factors $\alpha_j$ that the proof of lemma 4.2.1 prints
+:given: $2k+1$ knots, for $k\le4$ every pattern of them, none more than $k$-fold, for $k>4$ simple ones; both ends of multiplicity $k$ and one knot between, of any
+  multiplicity $1,\dots,k$; $\tau$ inside any interval between $t_1$ and $t_{n+k}$, or a knot there of a multiplicity below $k$; the factors $\alpha_j$ that the proof of lemma 4.2.1 prints
 :then: for $1\le i\le n$ and $1\le j\le n+1$, $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is $\alpha_j$ for $i=j$, $1-\alpha_j$ for $i=j-1$, and $0$ for all other $i$; so
   that (4.1.6) is the printed mean of two points, for $\tau$ outside the domain at the ends $r_1$ and $r_n$ alone
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left, against the printed cases.
 :degrees: k = 1..6 sampled 7
-:scope: simple knots, and clamped ends with one knot between, the new knot of a multiplicity below k before; the distinct knots variables up to order 5, numbers above
+:scope: every pattern of 2k+1 knots up to order 4, simple ones above, and clamped ends with one knot between, the new knot of a multiplicity below k before; the distinct knots variables up to order 5, numbers above
 :control: $\alpha_j$ and $1-\alpha_j$ exchanged
 :::
 */
@@ -138,8 +154,7 @@ CLAIM(printed_factors_are_the_discrete_shares)
 {
     int k = T->degree;
     char pattern[MOST_KNOTS];
-    for (int m = 0; m <= k; m++) {
-        G(pattern_of_insertion)(k, m, pattern);
+    for (int m = 0, next; (next = G(pattern_of_insertion)(k, m, pattern)) > 0; m = next) {
         struct G(knot_vector) K = G(pattern)(T, pattern), V;
         int n = K.count - k;
         G(numbers_for_knots)(k, &K);
@@ -169,12 +184,12 @@ CLAIM(printed_factors_are_the_discrete_shares)
 :::{claim} clamped_start_inserted_again_repeats_the_first_point
 :title: At a k-fold knot, the start or an inner one, the points (4.1.6) repeat a point
 :zh: k 重节点(左端或内节点)再嵌入时 (4.1.6) 重复一个顶点
-:given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $T'$ is $q$ times the knot $t_s=t_{s+k-1}$, $q=1,\dots,k$, where $s=1$, or
-  $t_s$ is the knot between, of multiplicity $k$
+:given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; for $k\le4$ every pattern of $2k+1$ knots, too, none more than $k$-fold; $T'$ is $q$
+  times the knot $t_s=t_{s+k-1}$ with $s\le n$, $q=1,\dots,k$
 :then: $\alpha_{i,k}^{(T,T')}(j)$ is $1$ for $i=j$, $j<s$, and for $i=\max(s,j-q)$, $j\ge s$, and $0$ for all other $i$: $r_s$ is repeated $q$ times, the other points stay
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left.
 :degrees: k = 1..6 sampled 7
-:scope: clamped ends with one knot of every multiplicity between
+:scope: clamped ends with one knot of every multiplicity between, and every pattern of 2k+1 knots up to order 4
 :control: $i=\max(s,j-q+1)$
 :::
 */
@@ -199,14 +214,11 @@ CLAIM(clamped_start_inserted_again_repeats_the_first_point)
 {
     int k = T->degree;
     char pattern[MOST_KNOTS];
-    for (int m = 1; m <= k; m++) {
-        G(pattern_of_insertion)(k, m, pattern);
+    for (int m = 1, next; (next = G(pattern_of_insertion)(k, m, pattern)) > 0; m = next) {
         struct G(knot_vector) K = G(pattern)(T, pattern);
-        for (int q = 1; q <= k; q++) {
-            G(compare_with_a_repeated_point)(T, k, &K, 1, q);
-            if (m == k)
-                G(compare_with_a_repeated_point)(T, k, &K, k + 1, q);
-        }
+        for (int s = 1; s <= K.count - k; s++)
+            for (int q = 1; q <= k && K.place[s] == K.place[s + k - 1]; q++)
+                G(compare_with_a_repeated_point)(T, k, &K, s, q);
     }
 }
 
