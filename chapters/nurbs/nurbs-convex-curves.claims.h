@@ -28,9 +28,10 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :meant: the sentence, which goes from the polygon to the curve | This direction.
 :reading: curve_may_be_convex_alone | this direction only: the converse, which is not printed, fails
 :argued: | Insert three parameters $k-1$ times each: the three points of the curve are vertices, and they turn as
-  the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
-  linearly independent; it goes straight on, and so does each polygon with parameters inserted, whose new vertices are on the edges before, one on each and in
-  their order: three points of the curve, being vertices, follow one another on the line.
+  the polygon does.  So any finitely many points of the curve are, in their order, a convex polygon, unless they are on a line, and none is inside their hull; a point
+  inside the hull of the curve would be inside that of finitely many.  If all turns are $0$, the curve is on a line, and so are the points whose B-splines are not $0$ on the
+  domain, as these are linearly independent there; this part of the polygon goes straight on, and so does each polygon with parameters inserted, whose new vertices are on
+  the edges before, one on each and in their order: three points of the curve, being vertices, follow one another on the line.
 :figure: convex_polygon_convex_spline
 :::
 

@@ -32,12 +32,14 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
-:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :argued: straight polygons, every order and every number of points and knots | The knots are inserted one after the other, by (4.1.7), and the triangles and the
-  identities of one insertion are the same for every order and every number of points.  Where all triangles are 0, the polygon goes straight on; its
+  identities of one insertion are the same for every order and every number of points.  If the new points are on one line, so are the old ones: of
+  these $r_1$, then $r_2$ and so on up to the last or $r_\mu$ are found from $r'_1,r'_2,\dots$, whose $\alpha_i$ are positive, and those behind are new ones; where
+  a point is repeated, all are.  So where not all triangles are 0, not all new ones are.  Where all triangles are 0, the polygon goes straight on; its
   new vertices are on its edges, one on each and in their order, so that the new polygon does.
 :figure: cutting_corners
 
@@ -230,7 +232,7 @@ CLAIM(clamped_start_inserted_again_repeats_the_first_point)
   $d=t_{i+k-1}-t_{\mu+1}$, with $b>0$ and each of the others positive or $0$
 :let: $\alpha_i=\frac{\tau-t_i}{t_{i+k-1}-t_i}$
 :harmless: with $b>0$ and each of the others positive | knots in order, of which the scope tells that $\tau$ is behind $t_\mu$
-:then: $0\le\alpha_i\le1$; and for $c=d=0$, as for $\tau=t_{\mu+1}$ and $m=0$, it is $\alpha_i=1$
+:then: $0<\alpha_i\le1$; and for $c=d=0$, as for $\tau=t_{\mu+1}$ and $m=0$, it is $\alpha_i=1$
 :method: $\alpha_i=\frac{a+b}{a+b+c+d}$, whose divisor is not $0$, since $b>0$.  Nothing else of the knots enters, so this is for every $k$ and all knots,
   multiple ones among them.
 :degrees: all
@@ -252,8 +254,8 @@ CLAIM(insertion_ratios_are_between_zero_and_one)
         num a = bits & 1 ? gap[0] : zero, b = gap[1], c = bits & 2 ? gap[2] : zero, d = bits & 4 ? gap[3] : zero;
         num above = add(a, b), alpha = div(above, add(above, add(c, d)));
         alpha = fault(T, alpha, div(neg(gap[2]), gap[3])); /* i = mu+1: (tau - t_{mu+1}) / (t_{mu+k} - t_{mu+1}) */
-        about(T, "the factor is in [0, 1]");
-        nonnegative(T, alpha);
+        about(T, "the factor is positive and at most 1");
+        G(must_be_positive)(T, alpha);
         nonnegative(T, sub(one, alpha));
         about(T, "the factor at a knot");
         if (!(bits & 2) && !(bits & 4))
@@ -327,30 +329,36 @@ CLAIM(insertion_turns_like_its_triangles)
 #if RATIONAL
 /*
 The lemma is printed for any set of knots. By the cases of the proof, a knot to the left of the domain has a first factor less
-than 1, and the rest belongs to a point before the first. The formula (4.1.6) has no such term, since it sums over the points that
+than 1, and the rest belongs to a point before the first; to the right it is the same with a point behind the last. The formula (4.1.6) has no such term, since it sums over the points that
 there are: the two parts of the source disagree about the knots outside the domain.
 
 :::{claim} knot_before_the_domain_asks_for_another_point
 :title: Knots outside the domain ask for points that are not there
 :zh: 定义域外的节点
 :kind: counterexample
-:given: the simple knots $T$ of one quadratic segment, with the domain $[t_k,t_{n+1}]$, and $\tau<t_k$
-:data: T = 1 2 3 4 5 6; τ = 3/2
-:instead: τ = 7/2
-:then: by the printed formula $r'_1=(1-\alpha_1)r_0+\alpha_1r_1$ for equal weights, the factor of $r_0$ is not $0$, and there is no $r_0$
-:result: factor of r_0 = 3/4
-:method: $\alpha_1$ by the printed cases; that the factor of $r_0$ is $0$ is what is asked for.
-:control: $\tau$ in the domain
+:given: the simple knots $T$ of one quadratic segment, with the domain $[t_k,t_{n+1}]$; $\tau<t_k$ and $\sigma>t_{n+1}$; equal weights
+:data: T = 1 2 3 4 5 6; τ = 3/2; σ = 11/2
+:instead: τ = 7/2; σ = 7/2
+:then: by the printed formula $r'_1=(1-\alpha_1)r_0+\alpha_1r_1$ for $\tau$, and $r'_{n+1}=(1-\alpha_{n+1})r_n+\alpha_{n+1}r_{n+1}$ for $\sigma$; the factors of $r_0$ and of $r_{n+1}$ are
+  not $0$, and there are no such points
+:result: factor of r_0 = 3/4; factor of r_{n+1} = 3/4
+:method: $\alpha_1$ and $\alpha_{n+1}$ by the printed cases; that the factors of $r_0$ and $r_{n+1}$ are $0$ is what is asked for.
+:control: $\tau$ and $\sigma$ in the domain
 :::
 */
 CLAIM(knot_before_the_domain_asks_for_another_point)
 {
     num t[7];
     given_points(T, "T", 6, 1, t + 1);
-    num tau = given(T, "τ"), factor = sub(from_int(1), G(printed_alpha)(3, place_of(6, t, tau), t, tau, 1));
-    found(T, "factor of r_0", factor);
+    num tau = given(T, "τ"), sigma = given(T, "σ"); /* k = n = 3 */
+    num before = sub(from_int(1), G(printed_alpha)(3, place_of(6, t, tau), t, tau, 1));
+    num behind = G(printed_alpha)(3, place_of(6, t, sigma), t, sigma, 4);
+    found(T, "factor of r_0", before);
+    found(T, "factor of r_{n+1}", behind);
     about(T, "the factor of r_0 in the new first point, and 0");
-    same(T, factor, from_int(0));
+    same(T, before, from_int(0));
+    about(T, "the factor of r_{n+1} in the new last point, and 0");
+    same(T, behind, from_int(0));
 }
 
 /*
@@ -435,7 +443,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
-:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: | One knot after the other, by (4.1.7): the identities of one insertion have the knots as variables, and hold for equal ones, too, where they divide by no 0. The new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of
@@ -478,7 +486,7 @@ CLAIM(inserted_points_divide_the_edges)
 :holds-by: inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
 :confirmed-by: printed_insertion_keeps_the_curve
 :needs: vanishing_weight_loses_the_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for, behind it $r_nr_{n+1}$
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :reading: both_conventions_of_the_span_are_right | at a knot of multiplicity $k$ or more: the printed cases repeat another of two points than intervals closed on the left, by
   which (4.1.6) is read here
@@ -523,7 +531,7 @@ CLAIM(vanishing_weight_loses_the_new_point)
 :printed: \tau_1\in(t_\mu,t_{\mu+1}];\quad\alpha_i=1,\ i\le\mu-k+1;\quad\alpha_i=\frac{\tau_1-t_i}{t_{i+k-1}-t_i},\ \mu-k+2\le i\le\mu;
   \quad\alpha_i=0,\ i\ge\mu+1
 :holds-by: printed_insertion_keeps_the_curve printed_factors_are_the_discrete_shares inserted_points_divide_the_edges
-:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for, behind it $r_nr_{n+1}$
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :reading: both_conventions_of_the_span_are_right | with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in algorithm 4.1.1, the formula gives the same factors, or repeats another of two points
 :figure: where_hypotheses_are_needed
@@ -608,7 +616,7 @@ This is about the $s_i$ that exist.
 :holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :confirmed-by: insertion_cuts_the_corners
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for, behind it $r_nr_{n+1}$
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: cutting_corners
 
@@ -631,7 +639,7 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :argued: straight polygons, every order and every number of points | The triangles and the identities of one insertion are the same for every order and every
-  number of points.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
+  number of points.  If the new points are on one line, so are the old ones, as for the lemma: so where not all triangles are 0, not all new ones are.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
   their order, so that the new polygon does.
 :figure: what_convex_must_mean
 :::
@@ -795,7 +803,7 @@ CLAIM(knots_are_inserted_in_any_order)
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
-:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: | One knot after the other, by (4.1.7): the new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of

@@ -413,7 +413,7 @@ change can arise.
 :reading: averages_between_neighbours_keep_sign_changes | the step for crossings: a mean put between two neighbours, and a number left out
 :reading: cut_corners_meet_a_line_no_more | the step for common points, a piece on the line counting once: the same of a vertex
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
-:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof of lemma 4.2.1, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof of lemma 4.2.1, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof of lemma 4.2.1, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: every order and every number of points and knots | An insertion puts a point on each of some edges and takes the old
@@ -517,7 +517,8 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
   inserted_parameters_become_vertices line_form_of_a_nurbs_curve
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and
   polygon, not as points of the plane
-:hypothesis: edge_on_the_line_must_be_counted | a piece of curve or polygon on the line counts as one intersection
+:hypothesis: edge_on_the_line_must_be_counted | a piece of curve or polygon on the line counts as one intersection: not counted it is
+  too little; if pieces count as infinitely many points the theorem is true, too, since with a piece of curve its control points are on the line
 :needs: mixed_weights_cross_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :reading: designed_splines_cross_no_more | of crossings
 :reading: designed_splines_meet_no_more | of common points, a piece on the line counting once
