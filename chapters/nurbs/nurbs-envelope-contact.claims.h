@@ -150,6 +150,8 @@ CLAIM(member_between_multiple_knots_shrinks_at_a_cusp) { G(line_shrinks_to_a_poi
   r_j^{[k-2]}(\tau)}{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)},\quad t_j\le t,\tau<t_{j+1}
 :holds-by: lines_of_the_family_by_two_points
 :figure: nurbs_envelope_families
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:cor-4.3.1-lines
@@ -158,6 +160,7 @@ CLAIM(member_between_multiple_knots_shrinks_at_a_cusp) { G(line_shrinks_to_a_poi
 :printed: for $k-r=2$ one learns that $\mathbf r(t)$ is the envelope of the family of straight lines (4.3.8)
 :holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal lines_of_the_family_by_two_points
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; at a cusp the line is a point
+:meant: theorem 4.3.1, of which it is a corollary | That the curve is an envelope of these lines, as there.
 :figure: nurbs_envelope_families
 
 The lines are segments, the legs that de Boor's algorithm draws last.

@@ -252,6 +252,8 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
 :figure: nurbs_envelope_growing
+
+Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.5
@@ -262,6 +264,8 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
 :figure: nurbs_envelope_growing
+
+Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{claim} levels_keep_weight_and_point
@@ -314,6 +318,8 @@ CLAIM(levels_keep_weight_and_point)
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
 :figure: nurbs_envelope_contact
+
+Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.7
@@ -324,6 +330,8 @@ CLAIM(levels_keep_weight_and_point)
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
 :figure: nurbs_envelope_contact
+
+Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{claim} levels_shrink_the_derivative
@@ -376,6 +384,8 @@ CLAIM(levels_shrink_the_derivative)
 :printed: \mathbf r^{[k-r]}(t,\tau)|_{\tau=t}=\mathbf p(t)/w(t)=\mathbf r(t),\quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
 :figure: nurbs_envelope_growing
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:thm-4.3.1-derivative
@@ -386,6 +396,8 @@ CLAIM(levels_shrink_the_derivative)
   \quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
 :figure: nurbs_envelope_contact
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 
 In the copy at hand a torn line stands before the display, $\tau=k-r-1\ w(t)\mathbf p'(t)-w'(t)\mathbf p(t)\ k-r-1$: numerators of its fractions, once more.  It says
 nothing by itself.
@@ -527,9 +539,13 @@ CLAIM(corner_has_two_tangents)
 :confirmed-by: span_derivatives_are_parallel curvatures_have_a_fixed_ratio
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; where it vanishes the member may be a single point
 :needs: negative_weight_takes_a_point_away | definition 4.1.1: $w_i>0$ | the weights are positive
+:meant: the headings 4.3.1 and 4.3.2, on existence and on uniqueness of the envelope | That the segment is an envelope, the first reading; whether it is the only one is theorem 4.3.2.
+:reading: member_of_span_touches_curve | "an envelope": a curve that in each of its points is touched by a member, wherever $\mathbf r'\ne0$
+:reading: inflected_cubic_has_second_envelope | "the envelope", all joint solutions of (4.3.3) and of the condition of an envelope, as the sign of equality says
 :figure: nurbs_envelope_families
 
-This is existence: every member touches the curve, in the point of its own parameter.  For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
+Every member touches the curve, in the point of its own parameter.  Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and
+$\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.  For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
 for every $r$: `span_derivatives_are_parallel`, `curvatures_have_a_fixed_ratio`.
 :::
 
