@@ -187,7 +187,7 @@ CLAIM(printed_factors_are_the_discrete_shares)
 :title: At a k-fold knot, the start or an inner one, the points (4.1.6) repeat a point
 :zh: k 重节点(左端或内节点)再嵌入时 (4.1.6) 重复一个顶点
 :given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; for $k\le4$ every pattern of $2k+1$ knots, too, none more than $k$-fold; $T'$ is $q$
-  times the knot $t_s=t_{s+k-1}$ with $s\le n$, $q=1,\dots,k$
+  times a $k$-fold knot $t_s=t_{s+k-1}$ that is not the last, $q=1,\dots,k$
 :then: $\alpha_{i,k}^{(T,T')}(j)$ is $1$ for $i=j$, $j<s$, and for $i=\max(s,j-q)$, $j\ge s$, and $0$ for all other $i$: $r_s$ is repeated $q$ times, the other points stay
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left.
 :degrees: k = 1..6 sampled 7

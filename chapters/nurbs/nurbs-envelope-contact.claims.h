@@ -152,6 +152,7 @@ CLAIM(member_between_multiple_knots_shrinks_at_a_cusp) { G(line_shrinks_to_a_poi
   r_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)\mathbf
   r_j^{[k-2]}(\tau)}{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)},\quad t_j\le t,\tau<t_{j+1}
 :holds-by: lines_of_the_family_by_two_points
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_families
 
 Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.

@@ -258,6 +258,7 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t),
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_growing
 
 Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
@@ -270,6 +271,7 @@ Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau
   w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\mathbf p(t),
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_growing
 
 Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
@@ -326,6 +328,7 @@ CLAIM(levels_keep_weight_and_point)
   w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t),
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_contact
 
 Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
@@ -338,6 +341,7 @@ Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau
   \sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}\mathbf p'(t),
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_contact
 
 Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
@@ -394,6 +398,7 @@ CLAIM(levels_shrink_the_derivative)
 :zh: τ=t 时族曲线上的点即曲线上的点
 :printed: \mathbf r^{[k-r]}(t,\tau)|_{\tau=t}=\mathbf p(t)/w(t)=\mathbf r(t),\quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_growing
 
 Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
@@ -406,6 +411,7 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
   \frac{w(t)\mathbf p'(t)-w'(t)\mathbf p(t)}{w^2(t)}=\frac{k-r-1}{k-1}\mathbf r'(t)\parallel\mathbf r'(t),
   \quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_contact
 
 Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
@@ -549,7 +555,7 @@ CLAIM(corner_has_two_tangents)
   $\mathbf r(t)=\mathbf p(t)/w(t)=\operatorname{env}\{\mathbf r^{[k-r]}(t,\tau),\ t_j\le t<t_{j+1}\mid
   t_j\le\tau<t_{j+1}\}$, $j=k,k+1,\dots,n$, with (4.3.3)
 :holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
-:confirmed-by: span_derivatives_are_parallel curvatures_have_a_fixed_ratio
+:confirmed-by: span_derivatives_are_parallel curvatures_have_a_fixed_ratio extrapolated_members_keep_positive_weights_inside
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; where it vanishes the member may be a single point
 :needs: negative_weight_takes_a_point_away | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: the headings 4.3.1 and 4.3.2, on existence and on uniqueness of the envelope | That the segment is an envelope, the first reading; whether it is the only one is theorem 4.3.2.
