@@ -203,7 +203,7 @@ Between curve and polygon stands a third count, that of the polygon after an ins
   crossings of the polygon
 :method: The curve as polynomials, interval by interval, by counting roots of odd multiplicity and by comparing the
   sides on which one interval ends and the next one begins; jumps are counted.  Polygons by
-  `exact/decide/crossings.h`.
+  `exact/decide/crossings.h`.  Of ordinates and their negatives one is taken.
 :degrees: k = 2..4
 :scope: the stated curves
 :control: the polygon taken without its first vertex
@@ -229,7 +229,8 @@ CLAIM(designed_splines_cross_no_more) { for_designed(T, crosses_no_more); }
 :data: y = -1 0 1; w = 1000
 :then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the
   polygon with knots inserted $\le$ those of the polygon
-:method: The curve by counting different roots, interval by interval; polygons by `exact/decide/crossings.h`.
+:method: The curve by counting different roots, interval by interval; polygons by `exact/decide/crossings.h`.  Of ordinates and their negatives one is
+  taken.
 :degrees: k = 2..4
 :scope: the stated curves
 :control: the ends of the polygon not counted
