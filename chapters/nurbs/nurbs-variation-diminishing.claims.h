@@ -543,6 +543,7 @@ heights matter.
   may be taken as the axis $y=0$, and $y(t)$ has the sign of $\sum N_{i,k}w_iy_i$ for positive weights.
 :degrees: k = 1..6 sampled 7
 :scope: clamped ends with one simple knot between
+:argued: every order and all knots | The form is linear in $x$ and $y$: $a$ times the numerator of $x(t)$, $b$ times that of $y(t)$ and $c$ times the denominator, put together term by term.
 :over: l#: lines
 :where: $w(t)\ne0$
 :control: the constant $c$ left out at the last vertex
