@@ -36,7 +36,7 @@ here, though its chapter on Bézier curves does: how closely a member touches th
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :over: w#: equal weights
-:argued: every order | The two factors of (4.1.3) add up to 1; with equal weights those of (4.1.4) are the same.
+:argued: every order and all knots | The two factors of (4.1.3) add up to 1; with equal weights those of (4.1.4) are the same.
 :control: the first weight different
 :::
 */
@@ -95,7 +95,7 @@ does not exist, here as there.
 :degrees: 1..6 sampled 7
 :scope: (k-1)-fold ends of the span; the distinct knots variables up to order 5, numbers above
 :where: the weights of the levels are not 0
-:argued: every order | Every index $i$ of a level has $t_i=t_j$ and $t_{i+k-r}=t_{j+1}$, so that the factors of (4.1.3) are $\lambda$ and $1-\lambda$, and those of the recursion
+:argued: every order and all knots | Every index $i$ of a level has $t_i=t_j$ and $t_{i+k-r}=t_{j+1}$, so that the factors of (4.1.3) are $\lambda$ and $1-\lambda$, and those of the recursion
   of the $N_{i,k-r}$ are those of the Bernstein polynomials.
 :control: $1-\lambda$ in the place of $\lambda$
 :::
@@ -185,7 +185,7 @@ this leg is a tangent.
 :method: Both quotients by their letter, one coordinate.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | On the span $N_{j-1,2}=\frac{t_{j+1}-t}{t_{j+1}-t_j}$ and $N_{j,2}=\frac{t-t_j}{t_{j+1}-t_j}$; the common divisor falls away.
+:argued: every order and all knots | On the span $N_{j-1,2}=\frac{t_{j+1}-t}{t_{j+1}-t_j}$ and $N_{j,2}=\frac{t-t_j}{t_{j+1}-t_j}$; the common divisor falls away.
 :control: $t-t_j$ and $t_{j+1}-t$ exchanged
 :::
 */

@@ -73,7 +73,7 @@ shared by the pieces of the member, and where an index has $t_i=t_{i+k-r}$ no pi
   side by the kernel.
 :degrees: 2..6 sampled 6
 :scope: simple knots, or one inner knot double, (k-1)-fold or k-fold; the distinct knots variables up to order 5, numbers above
-:argued: every order | On the span of $t$ the $w_i^{[r]}(r_i^{[r]},1)$ whose $N_{i,k-r}(t)$ is not 0 are made by (4.1.3) of the points of this span alone, and
+:argued: every order and all knots | On the span of $t$ the $w_i^{[r]}(r_i^{[r]},1)$ whose $N_{i,k-r}(t)$ is not 0 are made by (4.1.3) of the points of this span alone, and
   $f$ is affine in each argument, so that they are $f[\tau^r,t_{i+1},\dots,t_{i+k-1-r}]$, for any $\tau$.
 :control: the polar form of the first segment for every span
 :::
@@ -125,7 +125,7 @@ CLAIM(whole_member_is_polar_on_every_span)
 :degrees: 2..6 sampled 6
 :scope: simple knots, or one inner knot double, (k-1)-fold or k-fold; the distinct knots variables up to order 5, numbers above
 :over: w: common weight
-:argued: every order | The two factors of (4.1.3) add up to 1, and so do the $N_{i,k-r}(t)$ on the domain.
+:argued: every order and all knots | The two factors of (4.1.3) add up to 1, and so do the $N_{i,k-r}(t)$ on the domain.
 :control: the first weight doubled
 :::
 */

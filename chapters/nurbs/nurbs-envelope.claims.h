@@ -114,7 +114,7 @@ the places that are left.
   so one suffices.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | The polar form is affine in each argument, and $\tau$ is $\frac{\tau-t_i}{t_{i+k-r}-t_i}\,t_{i+k-r}+\frac{t_{i+k-r}-\tau}{t_{i+k-r}-t_i}\,t_i$: so by (4.1.3)
+:argued: every order and all knots | The polar form is affine in each argument, and $\tau$ is $\frac{\tau-t_i}{t_{i+k-r}-t_i}\,t_{i+k-r}+\frac{t_{i+k-r}-\tau}{t_{i+k-r}-t_i}\,t_i$: so by (4.1.3)
   $w_i^{[r]}(r_i^{[r]},1)=f[\tau^r,t_{i+1},\dots,t_{i+k-1-r}]$, and these are the points over the same knots of the polynomial $f[\tau^r,t^{k-1-r}]$ in $t$.
 :control: one argument $\tau$ of the polar form replaced by $t$
 :::
@@ -158,7 +158,7 @@ CLAIM(member_of_span_is_polar)
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 4, numbers above
 :over: y#: ratios in which the parameters divide the span; x#: -
-:argued: every order | For a $\tau$ of the span, its left end included, the factors of (4.1.3) are not negative and that of $w_{i-1}^{[r-1]}$ is positive; the
+:argued: every order and all knots | For a $\tau$ of the span, its left end included, the factors of (4.1.3) are not negative and that of $w_{i-1}^{[r-1]}$ is positive; the
   $N_{i,k-r}(t)$ are not negative and sum up to 1.
 :control: the weights negative
 :::
@@ -220,7 +220,7 @@ it.
 :method: The recursion for the members, the kernel of the point for the curve.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | No argument of the polar form is $\tau$ at level 0, and all are at level $k-1$.
+:argued: every order and all knots | No argument of the polar form is $\tau$ at level 0, and all are at level $k-1$.
 :control: level $k-2$ in the place of level $k-1$
 :::
 */
@@ -289,7 +289,7 @@ Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau
 :method: The levels by (4.1.3), (4.1.4), the sums as printed.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | By (4.1.3) the sum of level $r$, put in the order of the $w_i^{[r-1]}$, has them with the factors $\frac{t-t_i}{t_{i+k-r}-t_i}N_{i,k-r}
+:argued: every order and all knots | By (4.1.3) the sum of level $r$, put in the order of the $w_i^{[r-1]}$, has them with the factors $\frac{t-t_i}{t_{i+k-r}-t_i}N_{i,k-r}
   +\frac{t_{i+k-r+1}-t}{t_{i+k-r+1}-t_{i+1}}N_{i+1,k-r}=N_{i,k-r+1}$; what is 0 on the span falls away.
 :control: the recursion of the level at $\tau=t+1$
 :::
@@ -358,7 +358,7 @@ Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau
 :method: The levels by (4.1.3), (4.1.4), the sums as printed, with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | With the polar form $f$ of the segment in homogeneous coordinates the sums of level $r$ are $f[\tau^r,t^{k-1-r}]$, since the polar form is affine in each argument; the derivative
+:argued: every order and all knots | With the polar form $f$ of the segment in homogeneous coordinates the sums of level $r$ are $f[\tau^r,t^{k-1-r}]$, since the polar form is affine in each argument; the derivative
   by $t$ is $(k-1-r)\,f[\tau^r,t^{k-2-r},\delta]$, $\delta$ being the direction, and for $\tau=t$ the same $f[t^{k-2},\delta]$ on each level.
 :control: the factor $\frac{k-r}{k-r+1}$ for one level
 :::
@@ -462,7 +462,7 @@ the display is compared too.
   number, so the ends of the span are covered, with the derivatives of its polynomials.
 :degrees: 2..6 sampled 6
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | With the polar form $f$ of the segment in homogeneous coordinates the sums of level $r$ are $f[\tau^r,t^{k-1-r}]$, since the polar form is affine in each argument; value and
+:argued: every order and all knots | With the polar form $f$ of the segment in homogeneous coordinates the sums of level $r$ are $f[\tau^r,t^{k-1-r}]$, since the polar form is affine in each argument; value and
   derivative by $t$ are at $\tau=t$ those of the curve, the derivative with the factor $\frac{k-1-r}{k-1}$; then the quotient rule.
 :control: the factor left out
 :::
@@ -586,7 +586,7 @@ to look out for.
   coordinates, is in $\tau$; one coordinate.  The two factors add up to 1, as they must: $r^{[k-r]}(t,t)=r(t)$.
 :degrees: 2..6 sampled 6
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
-:argued: every order | With the polar form $f$ of the segment in homogeneous coordinates the sums of level $r$ are $f[\tau^r,t^{k-1-r}]$, since the polar form is affine in each argument; at $\tau=t$
+:argued: every order and all knots | With the polar form $f$ of the segment in homogeneous coordinates the sums of level $r$ are $f[\tau^r,t^{k-1-r}]$, since the polar form is affine in each argument; at $\tau=t$
   the derivatives by $t$ and $\tau$ have $k-1-r$ and $r$ of the $k-1$ equal parts of that of the curve; then the quotient rule.
 :control: the factors of the two derivatives exchanged and increased by 1
 :::
