@@ -215,6 +215,8 @@ CLAIM(differences_of_span_give_the_derivative)
 :method: The left sides by (4.1.3), (4.1.4); $w'$ and $p'$ by the derivatives of the B-splines of order $k$.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | With the polar form $f$ of the segment in homogeneous coordinates the sums are $f[\tau,t^{k-2}]$, which is affine in $\tau$, the value $f(t)$ for $\tau=t$, and has
+  the derivative $f[\delta,t^{k-2}]=\frac1{k-1}f'(t)$ by $\tau$, $\delta$ being the direction.
 :control: the factor $\frac1{k-1}$ replaced by $\frac1k$
 :::
 */
