@@ -39,7 +39,7 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :title: Points of the curve become vertices
 :zh: 曲线上的点成为顶点
 :given: orders $k=2,\dots,6$; ends of multiplicity $k$ and a knot between of multiplicity $1,\dots,k$, and for $k\le4$ every pattern of $2k+1$ knots, none more than $k$-fold;
-  two parameters $t'_1<t'_2$ of the domain behind $t_1$, each inserted $k-1$ times: both in one interval, in different ones, at knots that are not $k$-fold, at a $k$-fold right end
+  two parameters of the domain behind $t_1$, in their order $t'_1$ and $t'_2$, each inserted $k-1$ times: both in one interval, in different ones, at knots that are not $k$-fold, at a $k$-fold right end
 :then: $r(t'_1)$ is the vertex number $\mu_1$ and $r(t'_2)$ the vertex number $\mu_2+k-1$, where $t'_l\in(t_{\mu_l},t_{\mu_l+1}]$; and so for
   the points (4.1.6), if no parameter is a $k$-fold right end
 :method: The printed insertions, (4.1.6) by its letter, intervals closed on the left, and the curve by its definition, knots, parameters and points variables; a
