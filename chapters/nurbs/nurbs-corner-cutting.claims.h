@@ -29,7 +29,9 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :confirmed-by: printed_insertion_keeps_the_curve
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
+  makes a point without a share
+:hypothesis: triangle_with_a_lost_point_runs_back | no knot of $T$ is more than $k$-fold: else (4.1.6) leaves out a point whose B-spline is 0, and the polygon may turn back
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
@@ -363,6 +365,33 @@ CLAIM(insertion_at_a_clamped_start_asks_for_another_point)
     same(T, factor, from_int(0));
 }
 
+/*
+:::{claim} triangle_with_a_lost_point_runs_back
+:title: With a knot that is more than k-fold the points (4.1.6) of a triangle run to and fro
+:zh: 节点超过 k 重时 (4.1.6) 丢失一个顶点
+:kind: counterexample
+:given: a linear curve of the points $r$, a closed triangle, and weights $w$ over the knots $T$, of which one is threefold; $T'$
+:data: T = 0 1 1 1 2 3; r = (0,0) (1,0) (0,1) (0,0); w = 1 1 1 1; T' = 3/2
+:instead: T = 0 1 1 7/4 2 3
+:then: the polygon $r$ runs through a triangle once; $N_{2,2}=0$, and in the points $r'$ of (4.1.6) $r_2$ is left out: they run on one line, there and back
+:result: r' = (0,0) (0,1) (0,1) (0,1/2) (0,0)
+:method: (4.1.6) by its letter, intervals closed on the left; convexity by `exact/decide/hull.h`.
+:control: the third of the equal knots moved to the right
+:::
+*/
+CLAIM(triangle_with_a_lost_point_runs_back)
+{
+    struct G(refinement) f;
+    num R[8], w[4], S[10], z[5];
+    G(given_refinement)(T, 1, 6, 1, &f);
+    given_points(T, "r", 4, 2, R);
+    given_points(T, "w", 4, 1, w);
+    G(refined_by_definition)(4, 1, 2, f.u, f.place, R, w, f.m, f.v, f.at, S, z);
+    found_points(T, "r'", 5, 2, S);
+    about(T, "the polygon running through its points once, so does the new one");
+    refute(T, polygon_is_convex(3, R, 0, NULL) && !polygon_is_convex(4, S, 0, NULL));
+}
+
 static int positive_on_the_interval(int n, const num_q w[])
 {
     return sign_on(poly_from_bernstein(n, w), from_int_q(0), from_int_q(1), CLOSED) == SIGN_POSITIVE;
@@ -413,7 +442,8 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once; else $A(\Gamma_k^{(T)}(T'))$
   need not exist; or $A$ is taken as the hull
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
+  makes a point without a share
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
@@ -609,7 +639,9 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon does not turn back
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | the end of the polygon does not run over its start: not turning back
   is not enough for running through its points once
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
+  makes a point without a share
+:hypothesis: triangle_with_a_lost_point_runs_back | no knot of $T$ is more than $k$-fold: else (4.1.6) leaves out a point whose B-spline is 0, and the polygon may turn back
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :argued: straight polygons, every order and every number of points | The triangles and the identities of one insertion are the same for every order and every
   number of points.  If the new points are on one line, so are the old ones, as for the lemma: so where not all triangles are 0, not all new ones are.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
@@ -686,7 +718,8 @@ of the same curve over the knots with the new one, with its new weights, and if 
   $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
 :holds-by: steps_of_refinement_compose nothing_inserted_changes_nothing
 :confirmed-by: knots_are_inserted_in_any_order
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
+  makes a point without a share
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, by which such a polygon has the order as its index | The polygon $\Gamma_k^{(T\oplus T')}(\Phi)$, of which the $k$ is left out,
   see `notation-order`.
@@ -773,7 +806,8 @@ CLAIM(knots_are_inserted_in_any_order)
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
+  makes a point without a share
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
