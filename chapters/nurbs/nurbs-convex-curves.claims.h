@@ -47,7 +47,7 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :degrees: k = 2..6 sampled 6
 :argued: every number of parameters, every order and all knots | In homogeneous coordinates point $i$ is the polar form of the curve at $t_{i+1},\dots,t_{i+k-1}$, before an insertion and
   after it; when these are $t'$ alone it is the point of the curve.  Later parameters leave it alone.
-:scope: clamped ends with one knot of every multiplicity between, and every pattern of 2k+1 knots up to order 4
+:scope: clamped ends with one knot of every multiplicity between, and every pattern of 2k+1 at most k-fold knots up to order 4
 :control: the second vertex counted one too low
 :::
 */

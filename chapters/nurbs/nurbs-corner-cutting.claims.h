@@ -65,7 +65,7 @@ give the same curve, that their factors lie between $0$ and $1$, and for which k
   variables.  The coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
   `inserted_points_divide_the_edges` it holds for any weights.
 :degrees: k = 1..6 sampled 7
-:scope: every pattern of 2k+1 knots up to order 4, simple ones above, and clamped ends with one knot between; the distinct knots variables up to order 5,
+:scope: every pattern of 2k+1 at most k-fold knots up to order 4, simple ones above, and clamped ends with one knot between; the distinct knots variables up to order 5,
   numbers above
 :control: $\alpha_i$ taken with $t_{i+k}$ for $t_{i+k-1}$
 :::
@@ -123,7 +123,7 @@ CLAIM(printed_insertion_keeps_the_curve)
   that (4.1.6) is the printed mean of two points, for $\tau$ outside the domain at the ends $r_1$ and $r_n$ alone
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left, against the printed cases.
 :degrees: k = 1..6 sampled 7
-:scope: every pattern of 2k+1 knots up to order 4, simple ones above, and clamped ends with one knot between, the new knot of a multiplicity below k before; the distinct knots variables up to order 5, numbers above
+:scope: every pattern of 2k+1 at most k-fold knots up to order 4, simple ones above, and clamped ends with one knot between, the new knot of a multiplicity below k before; the distinct knots variables up to order 5, numbers above
 :control: $\alpha_j$ and $1-\alpha_j$ exchanged
 :::
 */
@@ -166,7 +166,7 @@ CLAIM(printed_factors_are_the_discrete_shares)
 :then: $\alpha_{i,k}^{(T,T')}(j)$ is $1$ for $i=j$, $j<s$, and for $i=\max(s,j-q)$, $j\ge s$, and $0$ for all other $i$: $r_s$ is repeated $q$ times, the other points stay
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left.
 :degrees: k = 1..6 sampled 7
-:scope: clamped ends with one knot of every multiplicity between, and every pattern of 2k+1 knots up to order 4
+:scope: clamped ends with one knot of every multiplicity between, and every pattern of 2k+1 at most k-fold knots up to order 4
 :control: $i=\max(s,j-q+1)$
 :::
 */
