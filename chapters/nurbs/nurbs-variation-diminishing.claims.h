@@ -791,7 +791,7 @@ CLAIM(crossing_becomes_a_vertex_between_edges)
 :figure: points_of_the_line_as_vertices
 
 In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index
-$\mu_i+(i-1)(k-1)$.
+$\mu_i+(i-1)(k-1)$.  At a $k$-fold right end the point of the curve is $r_n$, and nothing need be inserted.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-meet
