@@ -3,6 +3,9 @@
 #include "chapters/nurbs/corner-cutting.h"
 #include "chapters/nurbs/definition.h"
 
+#include <stdio.h>
+#include <string.h>
+
 #if RATIONAL
 #include "exact/record/hull.h"
 #include "exact/record/polynomial.h"
@@ -27,6 +30,33 @@ static inline struct G(knot_vector) G(pattern)(trial *T, const char *pattern)
     for (int i = 1; i <= K.count; i++)
         K.place[i] *= 4;
     return K;
+}
+
+/* Patterns of knots, numbered from 0: 2k+1 simple knots; both ends k-fold, and an m-fold knot between, m = 1, ..., k; up to order
+ * ALL_PATTERNS then all of 2k+1 knots, no one more than k-fold, with t_k < t_{n+1}.  Returns the next number; 0 when there is no
+ * pattern of this number. */
+enum { ALL_PATTERNS = 4 };
+static inline int G(pattern_of_insertion)(int k, int number, char pattern[MOST_KNOTS])
+{
+    int all = 1 << 2 * k;
+    if (number > 0 && number <= k) {
+        snprintf(pattern, MOST_KNOTS, "%d%d%d", k, number, k);
+        return number + 1;
+    }
+    /* bit i: whether knot i+2 differs from knot i+1 */
+    for (int bits = number == 0 ? all - 1 : number - k - 1; bits < all && (number == 0 || k <= ALL_PATTERNS); bits++) {
+        int at = 0, most = '1';
+        memset(pattern, 0, MOST_KNOTS);
+        pattern[0] = '1';
+        for (int i = 0; i < 2 * k; i++) {
+            at += bits >> i & 1;
+            pattern[at] = (char)(pattern[at] == 0 ? '1' : pattern[at] + 1);
+            most = pattern[at] > most ? pattern[at] : most;
+        }
+        if (most <= '0' + k && (bits >> (k - 1) & 3) != 0)
+            return number == 0 ? 1 : bits + k + 2;
+    }
+    return 0;
 }
 
 /* mu with t_mu < tau <= t_{mu+1}, and 0 if tau <= t_1. */

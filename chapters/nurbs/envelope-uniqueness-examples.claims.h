@@ -250,6 +250,9 @@ corners arise.
 :scope: every pattern of the knots of a span up to order 4, three above; the gaps of the knots variables up to order 4, numbers above
 :where: the weights are positive and $t$, $\tau$ in one span
 :over: P#: homogeneous points; y#: ratios in which the parameters divide the span; x# v#: -
+:argued: every order and all knots | The polar form of every order gives the equation, $\frac{(b-a)^3}{m^2(m-1)}\det(Q,Q',Q'')$ being the determinant of its values at $(x,y)=(a,a),(a,b),(b,b)$.  The
+  rows of $M$ are three neighbouring rows of the matrix that inserts $a$, $b$ and $k-3$ knots $t$, $\tau$ between them; it is a product of matrices of single insertions, with two
+  nonnegative neighbours in a row, so that no minor is negative; the three values are independent, so that one is not 0.
 :control: the rows $(a,a)$ and $(a,b)$ of $M$ exchanged
 :::
 */

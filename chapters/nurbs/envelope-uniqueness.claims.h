@@ -591,28 +591,32 @@ multiplies by $w''$ what is to be shown to vanish, and for a polynomial curve $w
 :data: t_i = -7 -5 -3 -1 1 3 5 7; a = (0,0,1) (1,0,0) (0,1,0) (0,0,1); t = 0; τ = 1/2
 :instead: a = (0,0,0) (1,0,0) (0,1,0) (0,0,1)
 :then: the scalar product of both sides with $p''$ is satisfied, and $(\tau-t)(r',A,p'')\ne0$
-:result: r_i = (-3,23/3,-14) (-1,-1/3,4) (1,-1/3,-2) (3,23/3,16); p, p', p'' = (0,0,1) (1,0,0) (0,2,0); left side
-  times p'' = 0; right side times p'' = 0
-:method: The derivatives of the curve by its points over uniform knots; the triple product is compared with 0 after
+:result: r_i = (-3,23/3,-14) (-1,-1/3,4) (1,-1/3,-2) (3,23/3,16); (p,w), (p',w'), (p'',w'') = (0,0,1,1) (1,0,0,0) (0,2,0,0);
+  left side times p'' = 0; right side times p'' = 0
+:method: The derivatives of $\mathbf p$ and $w$ by points and weights over uniform knots, those of $\mathbf r$ by the quotient rule; the triple product is compared with 0 after
   the other equation has been found to be true.
 :control: the curve moved so that its osculating plane at $t$ passes through the origin, where $r'$, $A$ and $p''$ are dependent
 :::
 */
 CLAIM(product_with_second_derivative_says_nothing)
 {
-    num u[8], R[12], w[4], D[9], A[3], left[3], right[3], zero = from_int(0);
-    num t = given(T, "t"), tau = given(T, "τ"), e = sub(tau, t);
+    num u[8], R[12], w[4], H[16], P[12], D[9], A[3], left[3], right[3];
+    num t = given(T, "t"), tau = given(T, "τ"), e = sub(tau, t), step = div(e, from_int(3)); /* (τ-t)/(k-1) */
     G(given_curve_of_powers)(T, 3, 3, u, R, w);
     if (!G(is_pair_of_span)(u, 3, t, tau))
         return;
-    G(curve_derivatives)(3, 3, u, 3, R, w, t, 2, D);
-    for (int c = 0; c < 3; c++) /* A = p + (τ-t)/(k-1) p' */
-        A[c] = add(D[c], mul(div(e, from_int(3)), D[3 + c]));
-    G(cross3)(D + 3, D + 6, left);
+    G(rational_homogenize)(3, 3, R, w, H);
+    G(bspline_derivatives)(G(span_alone)(3, 4, u, 3, H), t, 2, P);
+    const num *p = P, *p1 = P + 4, *p2 = P + 8; /* (p, w), (p', w'), (p'', w'') */
+    G(rational_quotient_derivatives)(3, P, 2, D);
+    for (int c = 0; c < 3; c++)
+        A[c] = add(p[c], mul(step, p1[c]));
+    num W = add(p[3], mul(step, p1[3]));
+    G(cross3)(D + 3, p2, left);
     G(cross3)(D + 3, A, right);
-    num side = G(dot)(3, left, D + 6), other = mul(zero, G(dot)(3, right, D + 6)); /* w'' = 0 */
-    num triple = mul(e, G(det3)(D + 3, A, D + 6));
-    found_points(T, "p, p', p''", 3, 3, D);
+    num side = mul(e, mul(W, G(dot)(3, left, p2))), other = mul(e, mul(p2[3], G(dot)(3, right, p2)));
+    num triple = mul(e, G(det3)(D + 3, A, p2));
+    found_points(T, "(p,w), (p',w'), (p'',w'')", 3, 4, P);
     found(T, "left side times p''", side);
     found(T, "right side times p''", other);
     if (!equal_q(side, other))

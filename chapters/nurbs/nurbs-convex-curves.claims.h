@@ -28,70 +28,83 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :meant: the sentence, which goes from the polygon to the curve | This direction.
 :reading: curve_may_be_convex_alone | this direction only: the converse, which is not printed, fails
 :argued: | Insert three parameters $k-1$ times each: the three points of the curve are vertices, and they turn as
-  the polygon does.  If all turns are $0$, the curve is on a line, and so is the polygon, as the B-splines of the domain are
-  linearly independent; it goes straight on, and so does each polygon with parameters inserted, whose new vertices are on the edges before, one on each and in
-  their order: three points of the curve, being vertices, follow one another on the line.
+  the polygon does.  So any finitely many points of the curve are, in their order, a convex polygon, unless they are on a line, and none is inside their hull; a point
+  inside the hull of the curve would be inside that of finitely many.  If all turns are $0$, the curve is on a line, and so are the points whose B-splines are not $0$ on the
+  domain, as these are linearly independent there; this part of the polygon goes straight on, and so does each polygon with parameters inserted, whose new vertices are on
+  the edges before, one on each and in their order: three points of the curve, being vertices, follow one another on the line.
 :figure: convex_polygon_convex_spline
 :::
 
 :::{claim} inserted_parameters_become_vertices
 :title: Points of the curve become vertices
 :zh: 曲线上的点成为顶点
-:given: orders $k=2,\dots,6$, ends of multiplicity $k$ and a knot between of multiplicity $1,\dots,k-1$; two parameters $t'_1<t'_2$, each
-  inserted $k-1$ times: both in one interval, in different ones, at the inner knot, at the right end
+:given: orders $k=2,\dots,6$; ends of multiplicity $k$ and a knot between of multiplicity $1,\dots,k$, and for $k\le4$ every pattern of $2k+1$ knots, none more than $k$-fold;
+  two parameters of the domain behind $t_1$, in their order $t'_1$ and $t'_2$, each inserted $k-1$ times: both in one interval, in different ones, at knots that are not $k$-fold, at a $k$-fold right end
 :then: $r(t'_1)$ is the vertex number $\mu_1$ and $r(t'_2)$ the vertex number $\mu_2+k-1$, where $t'_l\in(t_{\mu_l},t_{\mu_l+1}]$; and so for
-  the points (4.1.6), if no parameter is the right end
+  the points (4.1.6), if no parameter is a $k$-fold right end
 :method: The printed insertions, (4.1.6) by its letter, intervals closed on the left, and the curve by its definition, knots, parameters and points variables; a
   coordinate of the homogeneous points is any coordinate.
 :degrees: k = 2..6 sampled 6
-:argued: every number of parameters | Later parameters leave the vertices of the earlier ones alone.
-:scope: clamped ends with one knot of every multiplicity below k between
+:argued: every number of parameters, every order and all knots | In homogeneous coordinates point $i$ is the polar form of the curve at $t_{i+1},\dots,t_{i+k-1}$, before an insertion and
+  after it; when these are $t'$ alone it is the point of the curve.  Later parameters leave it alone.
+:scope: clamped ends with one knot of every multiplicity between, and every pattern of 2k+1 at most k-fold knots up to order 4
 :control: the second vertex counted one too low
 :::
 */
+/* Inserts the parameters at two places, in increasing order, k-1 times each, and compares the vertices with the curve. */
+static void G(compare_vertices)(trial *T, int k, const struct G(knot_vector) * old, const int place[2])
+{
+    struct G(knot_vector) K = *old, V;
+    int n = K.count - k, size = n, at_the_end = place[1] == K.place[K.count];
+    num tau[2], c[MOST_POINTS], w[MOST_POINTS], d[MOST_POINTS], z[MOST_POINTS];
+    tau[0] = G(number_at)(T, &K, place[0], "tau");
+    tau[1] = G(number_at)(T, &K, place[1], "sigma");
+    for (int i = 1; i <= n; i++)
+        d[i] = c[i] = unknown(T, "c", i);
+    for (int j = 0; j < 2; j++)
+        for (int times = 1; times < k; times++, size++) {
+            num e[MOST_POINTS];
+            for (int i = 1; i <= size; i++)
+                e[i] = d[i];
+            G(equal_weights)(size, w);
+            G(insert_at)(size, k, 1, &K, place[j], tau[j], e, w, &V, d, z);
+            K = V;
+        }
+    for (int j = 0; j < 2; j++) { /* the interval on the left of the parameter, or around it */
+        int mu = G(left_of)(old, place[j]), interval = old->place[mu], vertex = mu + j * fault(T, k - 1, k - 2);
+        num value = G(spline_value)(n, k - 1, 1, old->t + 1, old->place + 1, c + 1, 0, interval, tau[j]);
+        about(T, "the vertex by the printed insertions");
+        same(T, d[vertex], value);
+        num sum = from_int(0);
+        for (int i = 1; i <= n && !at_the_end; i++)
+            sum = add(sum,
+                      mul(c[i], G(alpha)(k - 1, old->t + 1, old->place + 1, K.t + 1, K.place + 1, i - 1, vertex - 1)));
+        about(T, "the vertex (4.1.6)");
+        if (!at_the_end)
+            same(T, sum, value);
+    }
+}
+
+/* May a parameter at this place be inserted?  Behind t_1, and at no k-fold knot but the last. */
+static int G(may_be_inserted)(int k, const struct G(knot_vector) * K, int place)
+{
+    int times = 0;
+    for (int i = 1; i <= K->count; i++)
+        times += K->place[i] == place;
+    return place > K->place[1] && (times < k || place == K->place[K->count]);
+}
+
 CLAIM(inserted_parameters_become_vertices)
 {
     int k = T->degree;
     char pattern[MOST_KNOTS];
-    for (int m = 1; m < k; m++) {
-        snprintf(pattern, sizeof pattern, "%d%d%d", k, m, k);
-        for (int first = 1; first <= 3; first++)
-            for (int second = first; second <= 4; second++) {
-                struct G(knot_vector) K = G(pattern)(T, pattern), V;
-                if (first == second && first % 2 == 0)
-                    continue;
-                int n = K.count - k, place[2] = {2 * first, 2 * second + (first == second)};
-                num tau[2], c[MOST_POINTS], w[MOST_POINTS], d[MOST_POINTS], z[MOST_POINTS];
-                struct G(knot_vector) old = K;
-                tau[0] = G(number_at)(T, &K, place[0], "tau");
-                tau[1] = G(number_at)(T, &K, place[1], "sigma");
-                for (int i = 1; i <= n; i++)
-                    d[i] = c[i] = unknown(T, "c", i);
-                int size = n;
-                for (int j = 0; j < 2; j++)
-                    for (int times = 1; times < k; times++, size++) {
-                        num e[MOST_POINTS];
-                        for (int i = 1; i <= size; i++)
-                            e[i] = d[i];
-                        G(equal_weights)(size, w);
-                        G(insert_at)(size, k, 1, &K, place[j], tau[j], e, w, &V, d, z);
-                        K = V;
-                    }
-                for (int j = 0; j < 2; j++) { /* the interval on the left of the parameter, or around it */
-                    int mu = G(left_of)(&old, place[j]), interval = old.place[mu];
-                    int vertex = mu + j * fault(T, k - 1, k - 2);
-                    num value = G(spline_value)(n, k - 1, 1, old.t + 1, old.place + 1, c + 1, 0, interval, tau[j]);
-                    about(T, "the vertex by the printed insertions");
-                    same(T, d[vertex], value);
-                    num sum = from_int(0);
-                    for (int i = 1; i <= n && second < 4; i++)
-                        sum = add(sum, mul(c[i], G(alpha)(k - 1, old.t + 1, old.place + 1, K.t + 1, K.place + 1, i - 1,
-                                                          vertex - 1)));
-                    about(T, "the vertex (4.1.6)");
-                    if (second < 4)
-                        same(T, sum, value);
-                }
-            }
+    for (int m = k <= ALL_PATTERNS ? 0 : 1, next; (next = G(pattern_of_insertion)(k, m, pattern)) > 0; m = next) {
+        struct G(knot_vector) K = G(pattern)(T, pattern);
+        int n = K.count - k;
+        for (int first = K.place[k]; first <= K.place[n + 1]; first += 2) /* knots, and numbers between */
+            for (int second = first + (first % 4 != 0 ? 1 : 2); second <= K.place[n + 1]; second += 2 - second % 2)
+                if (G(may_be_inserted)(k, &K, first) && G(may_be_inserted)(k, &K, second))
+                    G(compare_vertices)(T, k, &K, (int[]){first, second});
     }
 }
 
@@ -320,7 +333,9 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
 :argued: | Let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every
   $A(\Gamma_k^{(T)}(T'_m))$, and for large $m$ the point $P_m$ is inside it, not on the boundary.  Hence $P$ is on the boundary, and
-  $A$, the limit of the hulls, is the hull of the limit.  A NURBS curve on a line has its polygon on that line.
+  $A$, the limit of the hulls, is the hull of the limit.  The triangle of three points of the curve, in their order, is a limit of triangles of points of the polygons,
+  which have one sign; so the curve runs through the boundary once, unless it is on a line.  Then its polygon is on that line, too, and goes straight on, and so
+  does the curve: theorem 4.2.1.
 :figure: where_hypotheses_are_needed
 :::
 

@@ -29,15 +29,19 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :confirmed-by: printed_insertion_keeps_the_curve
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
+  makes a point without a share
+:hypothesis: triangle_with_a_lost_point_runs_back | no knot of $T$ is more than $k$-fold: else (4.1.6) leaves out a point whose B-spline is 0, and the polygon may turn back
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
-:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :argued: straight polygons, every order and every number of points and knots | The knots are inserted one after the other, by (4.1.7), and the triangles and the
-  identities of one insertion are the same for every order and every number of points.  Where all triangles are 0, the polygon goes straight on; its
+  identities of one insertion are the same for every order and every number of points.  If the new points are on one line, so are the old ones: of
+  these $r_1$, then $r_2$ and so on up to the last or $r_\mu$ are found from $r'_1,r'_2,\dots$, whose $\alpha_i$ are positive, and those behind are new ones; where
+  a point is repeated, all are.  So where not all triangles are 0, not all new ones are.  Where all triangles are 0, the polygon goes straight on; its
   new vertices are on its edges, one on each and in their order, so that the new polygon does.
 :figure: cutting_corners
 
@@ -52,8 +56,8 @@ give the same curve, that their factors lie between $0$ and $1$, and for which k
 :::{claim} printed_insertion_keeps_the_curve
 :title: The printed points, weights and knots give the same curve
 :zh: 所印嵌入公式不改变曲线
-:given: orders $k=1,\dots,6$ (sampled to $7$): all knots simple; both ends of multiplicity $k$ and one knot between, of any
-  multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or any knot of the domain but $t_1$
+:given: orders $k=1,\dots,6$ (sampled to $7$): $2k+1$ knots, for $k\le4$ every pattern of them, none more than $k$-fold, for $k>4$ simple ones; both ends of
+  multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $\tau$ inside any interval of the domain, or any knot of the domain but $t_1$
 :let: $c_i$ any numbers, weights equal
 :then: $\sum_iN_{i,k}(t)c_i=\sum_iN'_{i,k}(t)c'_i$ on every interval of the domain, $c'_i=(1-\alpha_i)c_{i-1}+\alpha_ic_i$ with the
   printed $\alpha_i$
@@ -61,7 +65,8 @@ give the same curve, that their factors lie between $0$ and $1$, and for which k
   variables.  The coordinates $w_ix_i$, $w_iy_i$, $w_i$ of the homogeneous points are such $c_i$, so that with
   `inserted_points_divide_the_edges` it holds for any weights.
 :degrees: k = 1..6 sampled 7
-:scope: simple knots, and clamped ends with one knot between; the distinct knots variables up to order 5, numbers above
+:scope: every pattern of 2k+1 at most k-fold knots up to order 4, simple ones above, and clamped ends with one knot between; the distinct knots variables up to order 5,
+  numbers above
 :control: $\alpha_i$ taken with $t_{i+k}$ for $t_{i+k-1}$
 :::
 */
@@ -88,17 +93,6 @@ static void G(compare_curves)(trial *T, int k, const struct G(knot_vector) * K, 
     }
 }
 
-/* The patterns of this claim and the next: 2k+1 simple knots for m = 0; else both ends k-fold, and an m-fold knot between. */
-static void G(pattern_of_insertion)(int k, int m, char pattern[MOST_KNOTS])
-{
-    if (m > 0) {
-        snprintf(pattern, MOST_KNOTS, "%d%d%d", k, m, k);
-        return;
-    }
-    memset(pattern, '1', (size_t)(2 * k + 1));
-    pattern[2 * k + 1] = '\0';
-}
-
 /* In the field above order 5: 0, 1, 3, 6, 10, ... in the place of the variables; places are multiples of 4. */
 static void G(numbers_for_knots)(int k, struct G(knot_vector) * K)
 {
@@ -110,8 +104,7 @@ CLAIM(printed_insertion_keeps_the_curve)
 {
     int k = T->degree;
     char pattern[MOST_KNOTS];
-    for (int m = 0; m <= k; m++) {
-        G(pattern_of_insertion)(k, m, pattern);
+    for (int m = 0, next; (next = G(pattern_of_insertion)(k, m, pattern)) > 0; m = next) {
         struct G(knot_vector) K = G(pattern)(T, pattern);
         G(numbers_for_knots)(k, &K);
         for (int place = K.place[k]; place <= K.place[K.count - k + 1]; place += 2) /* knots, and numbers between */
@@ -124,13 +117,13 @@ CLAIM(printed_insertion_keeps_the_curve)
 :::{claim} printed_factors_are_the_discrete_shares
 :title: The factors of lemma 4.2.1 are the discrete B-splines of one knot
 :zh: 所印因子即单节点的离散 B 样条
-:given: all knots simple, or both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $\tau$ inside any interval between $t_1$ and $t_{n+k}$, or a knot
-  there of a multiplicity below $k$; the factors $\alpha_j$ that the proof of lemma 4.2.1 prints
+:given: $2k+1$ knots, for $k\le4$ every pattern of them, none more than $k$-fold, for $k>4$ simple ones; both ends of multiplicity $k$ and one knot between, of any
+  multiplicity $1,\dots,k$; $\tau$ inside any interval between $t_1$ and $t_{n+k}$, or a knot there of a multiplicity below $k$; the factors $\alpha_j$ that the proof of lemma 4.2.1 prints
 :then: for $1\le i\le n$ and $1\le j\le n+1$, $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is $\alpha_j$ for $i=j$, $1-\alpha_j$ for $i=j-1$, and $0$ for all other $i$; so
   that (4.1.6) is the printed mean of two points, for $\tau$ outside the domain at the ends $r_1$ and $r_n$ alone
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left, against the printed cases.
 :degrees: k = 1..6 sampled 7
-:scope: simple knots, and clamped ends with one knot between, the new knot of a multiplicity below k before; the distinct knots variables up to order 5, numbers above
+:scope: every pattern of 2k+1 at most k-fold knots up to order 4, simple ones above, and clamped ends with one knot between, the new knot of a multiplicity below k before; the distinct knots variables up to order 5, numbers above
 :control: $\alpha_j$ and $1-\alpha_j$ exchanged
 :::
 */
@@ -138,8 +131,7 @@ CLAIM(printed_factors_are_the_discrete_shares)
 {
     int k = T->degree;
     char pattern[MOST_KNOTS];
-    for (int m = 0; m <= k; m++) {
-        G(pattern_of_insertion)(k, m, pattern);
+    for (int m = 0, next; (next = G(pattern_of_insertion)(k, m, pattern)) > 0; m = next) {
         struct G(knot_vector) K = G(pattern)(T, pattern), V;
         int n = K.count - k;
         G(numbers_for_knots)(k, &K);
@@ -169,12 +161,12 @@ CLAIM(printed_factors_are_the_discrete_shares)
 :::{claim} clamped_start_inserted_again_repeats_the_first_point
 :title: At a k-fold knot, the start or an inner one, the points (4.1.6) repeat a point
 :zh: k 重节点(左端或内节点)再嵌入时 (4.1.6) 重复一个顶点
-:given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; $T'$ is $q$ times the knot $t_s=t_{s+k-1}$, $q=1,\dots,k$, where $s=1$, or
-  $t_s$ is the knot between, of multiplicity $k$
+:given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; for $k\le4$ every pattern of $2k+1$ knots, too, none more than $k$-fold; $T'$ is $q$
+  times a $k$-fold knot $t_s=t_{s+k-1}$ that is not the last, $q=1,\dots,k$
 :then: $\alpha_{i,k}^{(T,T')}(j)$ is $1$ for $i=j$, $j<s$, and for $i=\max(s,j-q)$, $j\ge s$, and $0$ for all other $i$: $r_s$ is repeated $q$ times, the other points stay
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left.
 :degrees: k = 1..6 sampled 7
-:scope: clamped ends with one knot of every multiplicity between
+:scope: clamped ends with one knot of every multiplicity between, and every pattern of 2k+1 at most k-fold knots up to order 4
 :control: $i=\max(s,j-q+1)$
 :::
 */
@@ -199,14 +191,11 @@ CLAIM(clamped_start_inserted_again_repeats_the_first_point)
 {
     int k = T->degree;
     char pattern[MOST_KNOTS];
-    for (int m = 1; m <= k; m++) {
-        G(pattern_of_insertion)(k, m, pattern);
+    for (int m = 1, next; (next = G(pattern_of_insertion)(k, m, pattern)) > 0; m = next) {
         struct G(knot_vector) K = G(pattern)(T, pattern);
-        for (int q = 1; q <= k; q++) {
-            G(compare_with_a_repeated_point)(T, k, &K, 1, q);
-            if (m == k)
-                G(compare_with_a_repeated_point)(T, k, &K, k + 1, q);
-        }
+        for (int s = 1; s <= K.count - k; s++)
+            for (int q = 1; q <= k && K.place[s] == K.place[s + k - 1]; q++)
+                G(compare_with_a_repeated_point)(T, k, &K, s, q);
     }
 }
 
@@ -218,7 +207,7 @@ CLAIM(clamped_start_inserted_again_repeats_the_first_point)
   $d=t_{i+k-1}-t_{\mu+1}$, with $b>0$ and each of the others positive or $0$
 :let: $\alpha_i=\frac{\tau-t_i}{t_{i+k-1}-t_i}$
 :harmless: with $b>0$ and each of the others positive | knots in order, of which the scope tells that $\tau$ is behind $t_\mu$
-:then: $0\le\alpha_i\le1$; and for $c=d=0$, as for $\tau=t_{\mu+1}$ and $m=0$, it is $\alpha_i=1$
+:then: $0<\alpha_i\le1$; and for $c=d=0$, as for $\tau=t_{\mu+1}$ and $m=0$, it is $\alpha_i=1$
 :method: $\alpha_i=\frac{a+b}{a+b+c+d}$, whose divisor is not $0$, since $b>0$.  Nothing else of the knots enters, so this is for every $k$ and all knots,
   multiple ones among them.
 :degrees: all
@@ -240,8 +229,8 @@ CLAIM(insertion_ratios_are_between_zero_and_one)
         num a = bits & 1 ? gap[0] : zero, b = gap[1], c = bits & 2 ? gap[2] : zero, d = bits & 4 ? gap[3] : zero;
         num above = add(a, b), alpha = div(above, add(above, add(c, d)));
         alpha = fault(T, alpha, div(neg(gap[2]), gap[3])); /* i = mu+1: (tau - t_{mu+1}) / (t_{mu+k} - t_{mu+1}) */
-        about(T, "the factor is in [0, 1]");
-        nonnegative(T, alpha);
+        about(T, "the factor is positive and at most 1");
+        G(must_be_positive)(T, alpha);
         nonnegative(T, sub(one, alpha));
         about(T, "the factor at a knot");
         if (!(bits & 2) && !(bits & 4))
@@ -315,30 +304,36 @@ CLAIM(insertion_turns_like_its_triangles)
 #if RATIONAL
 /*
 The lemma is printed for any set of knots. By the cases of the proof, a knot to the left of the domain has a first factor less
-than 1, and the rest belongs to a point before the first. The formula (4.1.6) has no such term, since it sums over the points that
+than 1, and the rest belongs to a point before the first; to the right it is the same with a point behind the last. The formula (4.1.6) has no such term, since it sums over the points that
 there are: the two parts of the source disagree about the knots outside the domain.
 
 :::{claim} knot_before_the_domain_asks_for_another_point
 :title: Knots outside the domain ask for points that are not there
 :zh: 定义域外的节点
 :kind: counterexample
-:given: the simple knots $T$ of one quadratic segment, with the domain $[t_k,t_{n+1}]$, and $\tau<t_k$
-:data: T = 1 2 3 4 5 6; τ = 3/2
-:instead: τ = 7/2
-:then: by the printed formula $r'_1=(1-\alpha_1)r_0+\alpha_1r_1$ for equal weights, the factor of $r_0$ is not $0$, and there is no $r_0$
-:result: factor of r_0 = 3/4
-:method: $\alpha_1$ by the printed cases; that the factor of $r_0$ is $0$ is what is asked for.
-:control: $\tau$ in the domain
+:given: the simple knots $T$ of one quadratic segment, with the domain $[t_k,t_{n+1}]$; $\tau<t_k$ and $\sigma>t_{n+1}$; equal weights
+:data: T = 1 2 3 4 5 6; τ = 3/2; σ = 11/2
+:instead: τ = 7/2; σ = 7/2
+:then: by the printed formula $r'_1=(1-\alpha_1)r_0+\alpha_1r_1$ for $\tau$, and $r'_{n+1}=(1-\alpha_{n+1})r_n+\alpha_{n+1}r_{n+1}$ for $\sigma$; the factors of $r_0$ and of $r_{n+1}$ are
+  not $0$, and there are no such points
+:result: factor of r_0 = 3/4; factor of r_{n+1} = 3/4
+:method: $\alpha_1$ and $\alpha_{n+1}$ by the printed cases; that the factors of $r_0$ and $r_{n+1}$ are $0$ is what is asked for.
+:control: $\tau$ and $\sigma$ in the domain
 :::
 */
 CLAIM(knot_before_the_domain_asks_for_another_point)
 {
     num t[7];
     given_points(T, "T", 6, 1, t + 1);
-    num tau = given(T, "τ"), factor = sub(from_int(1), G(printed_alpha)(3, place_of(6, t, tau), t, tau, 1));
-    found(T, "factor of r_0", factor);
+    num tau = given(T, "τ"), sigma = given(T, "σ"); /* k = n = 3 */
+    num before = sub(from_int(1), G(printed_alpha)(3, place_of(6, t, tau), t, tau, 1));
+    num behind = G(printed_alpha)(3, place_of(6, t, sigma), t, sigma, 4);
+    found(T, "factor of r_0", before);
+    found(T, "factor of r_{n+1}", behind);
     about(T, "the factor of r_0 in the new first point, and 0");
-    same(T, factor, from_int(0));
+    same(T, before, from_int(0));
+    about(T, "the factor of r_{n+1} in the new last point, and 0");
+    same(T, behind, from_int(0));
 }
 
 /*
@@ -368,6 +363,33 @@ CLAIM(insertion_at_a_clamped_start_asks_for_another_point)
     found(T, "factor of r_0", factor);
     about(T, "the factor of r_0 in the new first point, and 0");
     same(T, factor, from_int(0));
+}
+
+/*
+:::{claim} triangle_with_a_lost_point_runs_back
+:title: With a knot that is more than k-fold the points (4.1.6) of a triangle run to and fro
+:zh: 节点超过 k 重时 (4.1.6) 丢失一个顶点
+:kind: counterexample
+:given: a linear curve of the points $r$, a closed triangle, and weights $w$ over the knots $T$, of which one is threefold; $T'$
+:data: T = 0 1 1 1 2 3; r = (0,0) (1,0) (0,1) (0,0); w = 1 1 1 1; T' = 3/2
+:instead: T = 0 1 1 7/4 2 3
+:then: the polygon $r$ runs through a triangle once; $N_{2,2}=0$, and in the points $r'$ of (4.1.6) $r_2$ is left out: they run on one line, there and back
+:result: r' = (0,0) (0,1) (0,1) (0,1/2) (0,0)
+:method: (4.1.6) by its letter, intervals closed on the left; convexity by `exact/decide/hull.h`.
+:control: the third of the equal knots moved to the right
+:::
+*/
+CLAIM(triangle_with_a_lost_point_runs_back)
+{
+    struct G(refinement) f;
+    num R[8], w[4], S[10], z[5];
+    G(given_refinement)(T, 1, 6, 1, &f);
+    given_points(T, "r", 4, 2, R);
+    given_points(T, "w", 4, 1, w);
+    G(refined_by_definition)(4, 1, 2, f.u, f.place, R, w, f.m, f.v, f.at, S, z);
+    found_points(T, "r'", 5, 2, S);
+    about(T, "the polygon running through its points once, so does the new one");
+    refute(T, polygon_is_convex(3, R, 0, NULL) && !polygon_is_convex(4, S, 0, NULL));
 }
 
 static int positive_on_the_interval(int n, const num_q w[])
@@ -420,10 +442,11 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once; else $A(\Gamma_k^{(T)}(T'))$
   need not exist; or $A$ is taken as the hull
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
+  makes a point without a share
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
-:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: | One knot after the other, by (4.1.7): the identities of one insertion have the knots as variables, and hold for equal ones, too, where they divide by no 0. The new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of
@@ -466,7 +489,7 @@ CLAIM(inserted_points_divide_the_edges)
 :holds-by: inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
 :confirmed-by: printed_insertion_keeps_the_curve
 :needs: vanishing_weight_loses_the_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for, behind it $r_nr_{n+1}$
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :reading: both_conventions_of_the_span_are_right | at a knot of multiplicity $k$ or more: the printed cases repeat another of two points than intervals closed on the left, by
   which (4.1.6) is read here
@@ -511,7 +534,7 @@ CLAIM(vanishing_weight_loses_the_new_point)
 :printed: \tau_1\in(t_\mu,t_{\mu+1}];\quad\alpha_i=1,\ i\le\mu-k+1;\quad\alpha_i=\frac{\tau_1-t_i}{t_{i+k-1}-t_i},\ \mu-k+2\le i\le\mu;
   \quad\alpha_i=0,\ i\ge\mu+1
 :holds-by: printed_insertion_keeps_the_curve printed_factors_are_the_discrete_shares inserted_points_divide_the_edges
-:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for, behind it $r_nr_{n+1}$
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :reading: both_conventions_of_the_span_are_right | with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in algorithm 4.1.1, the formula gives the same factors, or repeats another of two points
 :figure: where_hypotheses_are_needed
@@ -596,7 +619,7 @@ This is about the $s_i$ that exist.
 :holds-by: insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
 :confirmed-by: insertion_cuts_the_corners
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for
+:hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for, behind it $r_nr_{n+1}$
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: cutting_corners
 
@@ -616,10 +639,12 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon does not turn back
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | the end of the polygon does not run over its start: not turning back
   is not enough for running through its points once
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
+  makes a point without a share
+:hypothesis: triangle_with_a_lost_point_runs_back | no knot of $T$ is more than $k$-fold: else (4.1.6) leaves out a point whose B-spline is 0, and the polygon may turn back
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :argued: straight polygons, every order and every number of points | The triangles and the identities of one insertion are the same for every order and every
-  number of points.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
+  number of points.  If the new points are on one line, so are the old ones, as for the lemma: so where not all triangles are 0, not all new ones are.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
   their order, so that the new polygon does.
 :figure: what_convex_must_mean
 :::
@@ -693,7 +718,8 @@ of the same curve over the knots with the new one, with its new weights, and if 
   $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
 :holds-by: steps_of_refinement_compose nothing_inserted_changes_nothing
 :confirmed-by: knots_are_inserted_in_any_order
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
+  makes a point without a share
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, by which such a polygon has the order as its index | The polygon $\Gamma_k^{(T\oplus T')}(\Phi)$, of which the $k$ is left out,
   see `notation-order`.
@@ -780,10 +806,11 @@ CLAIM(knots_are_inserted_in_any_order)
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
+  makes a point without a share
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
-:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: | One knot after the other, by (4.1.7): the new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of

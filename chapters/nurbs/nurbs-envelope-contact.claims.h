@@ -36,6 +36,7 @@ here, though its chapter on Bézier curves does: how closely a member touches th
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
 :over: w#: equal weights
+:argued: every order and all knots | The two factors of (4.1.3) add up to 1; with equal weights those of (4.1.4) are the same.
 :control: the first weight different
 :::
 */
@@ -94,6 +95,8 @@ does not exist, here as there.
 :degrees: 1..6 sampled 7
 :scope: (k-1)-fold ends of the span; the distinct knots variables up to order 5, numbers above
 :where: the weights of the levels are not 0
+:argued: every order and all knots | Every index $i$ of a level has $t_i=t_j$ and $t_{i+k-r}=t_{j+1}$, so that the factors of (4.1.3) are $\lambda$ and $1-\lambda$, and those of the recursion
+  of the $N_{i,k-r}$ are those of the Bernstein polynomials.
 :control: $1-\lambda$ in the place of $\lambda$
 :::
 */
@@ -149,7 +152,10 @@ CLAIM(member_between_multiple_knots_shrinks_at_a_cusp) { G(line_shrinks_to_a_poi
   r_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)\mathbf
   r_j^{[k-2]}(\tau)}{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)},\quad t_j\le t,\tau<t_{j+1}
 :holds-by: lines_of_the_family_by_two_points
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_families
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:cor-4.3.1-lines
@@ -158,6 +164,7 @@ CLAIM(member_between_multiple_knots_shrinks_at_a_cusp) { G(line_shrinks_to_a_poi
 :printed: for $k-r=2$ one learns that $\mathbf r(t)$ is the envelope of the family of straight lines (4.3.8)
 :holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal lines_of_the_family_by_two_points
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; at a cusp the line is a point
+:meant: theorem 4.3.1, of which it is a corollary | That the curve is an envelope of these lines, as there.
 :figure: nurbs_envelope_families
 
 The lines are segments, the legs that de Boor's algorithm draws last.
@@ -178,6 +185,7 @@ this leg is a tangent.
 :method: Both quotients by their letter, one coordinate.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | On the span $N_{j-1,2}=\frac{t_{j+1}-t}{t_{j+1}-t_j}$ and $N_{j,2}=\frac{t-t_j}{t_{j+1}-t_j}$; the common divisor falls away.
 :control: $t-t_j$ and $t_{j+1}-t$ exchanged
 :::
 */

@@ -27,7 +27,8 @@ span; what has to be asked is whether the members exist.
 :hypothesis: high_knot_leaves_a_point_undefined | $t_i<t_{i+k-r}$ for $i=r+1,\dots,n$, or the terms with $t_i=t_{i+k-r}$
   are left out: their $N_{i,k-r}$ is 0; else (4.1.3) divides by 0
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
-:meant: the domain $[t_k,t_{n+1}]$ is printed closed | At $t_{n+1}$ the limit from the left, as `def-4.1.1-interval` says.
+:meant: the domain $[t_k,t_{n+1}]$ is printed closed, and the conclusion is that of theorem 4.3.1 | At $t_{n+1}$ the limit from the left, as `def-4.1.1-interval`
+  says; and that the curve is an envelope, as there.
 :reading: whole_member_ends_in_no_interval | at $t=t_{n+1}=\dots=t_{n+k-r}$ by the letter of the half-open intervals: (4.3.3) is
   $0/0$ there
 :figure: nurbs_envelope_whole
@@ -72,6 +73,8 @@ shared by the pieces of the member, and where an index has $t_i=t_{i+k-r}$ no pi
   side by the kernel.
 :degrees: 2..6 sampled 6
 :scope: simple knots, or one inner knot double, (k-1)-fold or k-fold; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | On the span of $t$ the $w_i^{[r]}(r_i^{[r]},1)$ whose $N_{i,k-r}(t)$ is not 0 are made by (4.1.3) of the points of this span alone, and
+  $f$ is affine in each argument, so that they are $f[\tau^r,t_{i+1},\dots,t_{i+k-1-r}]$, for any $\tau$.
 :control: the polar form of the first segment for every span
 :::
 */
@@ -122,6 +125,7 @@ CLAIM(whole_member_is_polar_on_every_span)
 :degrees: 2..6 sampled 6
 :scope: simple knots, or one inner knot double, (k-1)-fold or k-fold; the distinct knots variables up to order 5, numbers above
 :over: w: common weight
+:argued: every order and all knots | The two factors of (4.1.3) add up to 1, and so do the $N_{i,k-r}(t)$ on the domain.
 :control: the first weight doubled
 :::
 */

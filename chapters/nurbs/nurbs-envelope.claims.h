@@ -38,22 +38,25 @@ quotients $0/0$.
 :::{claim} segment_needs_the_points_of_its_span
 :title: On a span the sum over all points is the sum over the k points of the span
 :zh: 在一段上全部项之和即该段 k 项之和
-:given: order $k$; $k+2$ points and weights over knots of these patterns: an inner knot of every multiplicity
-  $1,\dots,k$ among simple ones, and $k$-fold ends with two simple knots between; every span $[t_j,t_{j+1})$; any $t$
+:given: order $k$; points and weights over knots of these patterns: simple ones, among which one inside the domain has any multiplicity
+  $1,\dots,k$, and $k$-fold ends with two simple knots between; every span $[t_j,t_{j+1})$ of the domain; any $t$
 :then: $\sum_{i=1}^nN_{i,k}(t)w_ir_i=\sum_{i=j-k+1}^jN_{i,k}(t)w_ir_i$, and the same for $w$
 :method: The left side runs through all indices by the recursion of de Boor and Cox as it is defined; the right side is
   the sum of the kernel's values on the span.
 :degrees: 1..6 sampled 7
 :scope: an inner knot of every multiplicity up to k among simple ones, and clamped ends; the distinct knots variables up to
   order 5, numbers above
+:argued: every order and all knots | By the recursion $N_{i,k}$ is made of $N_{i,1},\dots,N_{i+k-1,1}$, of which on the span $N_{j,1}$ alone is not 0: so $N_{i,k}$ is 0
+  there unless $i\le j\le i+k-1$.
 :control: the first point of the span left out
 :::
 */
 CLAIM(segment_needs_the_points_of_its_span)
 {
-    int p = T->degree, n = p + 3;
+    int p = T->degree;
     for (int many = 1; many <= p + 2; many++) {
         char pattern[MOST_KNOTS] = {0};
+        int n = p + 1 + (many > 1 && many <= p + 1 ? many : 2); /* spans on both sides of the knot */
         if (many > p + 1)
             snprintf(pattern, sizeof pattern, "%d11%d", p + 1, p + 1);
         else
@@ -111,6 +114,8 @@ the places that are left.
   so one suffices.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | The polar form is affine in each argument, and $\tau$ is $\frac{\tau-t_i}{t_{i+k-r}-t_i}\,t_{i+k-r}+\frac{t_{i+k-r}-\tau}{t_{i+k-r}-t_i}\,t_i$: so by (4.1.3)
+  $w_i^{[r]}(r_i^{[r]},1)=f[\tau^r,t_{i+1},\dots,t_{i+k-1-r}]$, and these are the points over the same knots of the polynomial $f[\tau^r,t^{k-1-r}]$ in $t$.
 :control: one argument $\tau$ of the polar form replaced by $t$
 :::
 */
@@ -153,6 +158,8 @@ CLAIM(member_of_span_is_polar)
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 4, numbers above
 :over: y#: ratios in which the parameters divide the span; x#: -
+:argued: every order and all knots | For a $\tau$ of the span, its left end included, the factors of (4.1.3) are not negative and that of $w_{i-1}^{[r-1]}$ is positive; the
+  $N_{i,k-r}(t)$ are not negative and sum up to 1.
 :control: the weights negative
 :::
 */
@@ -213,6 +220,7 @@ it.
 :method: The recursion for the members, the kernel of the point for the curve.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | No argument of the polar form is $\tau$ at level 0, and all are at level $k-1$.
 :control: level $k-2$ in the place of level $k-1$
 :::
 */
@@ -250,7 +258,10 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t),
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_growing
+
+Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.5
@@ -260,7 +271,10 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
   w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\mathbf p(t),
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_growing
+
+Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{claim} levels_keep_weight_and_point
@@ -275,6 +289,8 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :method: The levels by (4.1.3), (4.1.4), the sums as printed.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | By (4.1.3) the sum of level $r$, put in the order of the $w_i^{[r-1]}$, has them with the factors $\frac{t-t_i}{t_{i+k-r}-t_i}N_{i,k-r}
+  +\frac{t_{i+k-r+1}-t}{t_{i+k-r+1}-t_{i+1}}N_{i+1,k-r}=N_{i,k-r+1}$; what is 0 on the span falls away.
 :control: the recursion of the level at $\tau=t+1$
 :::
 */
@@ -312,7 +328,10 @@ CLAIM(levels_keep_weight_and_point)
   w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t),
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_contact
+
+Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.7
@@ -322,7 +341,10 @@ CLAIM(levels_keep_weight_and_point)
   \sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,w_i^{[r-1]}(t)\mathbf r_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}\mathbf p'(t),
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_contact
+
+Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{claim} levels_shrink_the_derivative
@@ -336,6 +358,8 @@ CLAIM(levels_keep_weight_and_point)
 :method: The levels by (4.1.3), (4.1.4), the sums as printed, with the derivatives of the B-splines; $w'$ and $p'$ by the derivatives of the basis of order $k$.
 :degrees: 2..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | With the polar form $f$ of the segment in homogeneous coordinates the sums of level $r$ are $f[\tau^r,t^{k-1-r}]$, since the polar form is affine in each argument; the derivative
+  by $t$ is $(k-1-r)\,f[\tau^r,t^{k-2-r},\delta]$, $\delta$ being the direction, and for $\tau=t$ the same $f[t^{k-2},\delta]$ on each level.
 :control: the factor $\frac{k-r}{k-r+1}$ for one level
 :::
 */
@@ -374,7 +398,10 @@ CLAIM(levels_shrink_the_derivative)
 :zh: τ=t 时族曲线上的点即曲线上的点
 :printed: \mathbf r^{[k-r]}(t,\tau)|_{\tau=t}=\mathbf p(t)/w(t)=\mathbf r(t),\quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_growing
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 :::{statement} wang-ch4:thm-4.3.1-derivative
@@ -384,7 +411,10 @@ CLAIM(levels_shrink_the_derivative)
   \frac{w(t)\mathbf p'(t)-w'(t)\mathbf p(t)}{w^2(t)}=\frac{k-r-1}{k-1}\mathbf r'(t)\parallel\mathbf r'(t),
   \quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_envelope_contact
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 
 In the copy at hand a torn line stands before the display, $\tau=k-r-1\ w(t)\mathbf p'(t)-w'(t)\mathbf p(t)\ k-r-1$: numerators of its fractions, once more.  It says
 nothing by itself.
@@ -432,6 +462,8 @@ the display is compared too.
   number, so the ends of the span are covered, with the derivatives of its polynomials.
 :degrees: 2..6 sampled 6
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | With the polar form $f$ of the segment in homogeneous coordinates the sums of level $r$ are $f[\tau^r,t^{k-1-r}]$, since the polar form is affine in each argument; value and
+  derivative by $t$ are at $\tau=t$ those of the curve, the derivative with the factor $\frac{k-1-r}{k-1}$; then the quotient rule.
 :control: the factor left out
 :::
 */
@@ -523,12 +555,16 @@ CLAIM(corner_has_two_tangents)
   $\mathbf r(t)=\mathbf p(t)/w(t)=\operatorname{env}\{\mathbf r^{[k-r]}(t,\tau),\ t_j\le t<t_{j+1}\mid
   t_j\le\tau<t_{j+1}\}$, $j=k,k+1,\dots,n$, with (4.3.3)
 :holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
-:confirmed-by: span_derivatives_are_parallel curvatures_have_a_fixed_ratio
+:confirmed-by: span_derivatives_are_parallel curvatures_have_a_fixed_ratio extrapolated_members_keep_positive_weights_inside
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; where it vanishes the member may be a single point
 :needs: negative_weight_takes_a_point_away | definition 4.1.1: $w_i>0$ | the weights are positive
+:meant: the headings 4.3.1 and 4.3.2, on existence and on uniqueness of the envelope | That the segment is an envelope, the first reading; whether it is the only one is theorem 4.3.2.
+:reading: member_of_span_touches_curve | "an envelope": a curve that in each of its points is touched by a member, wherever $\mathbf r'\ne0$
+:reading: inflected_cubic_has_second_envelope | "the envelope", all joint solutions of (4.3.3) and of the condition of an envelope, as the sign of equality says
 :figure: nurbs_envelope_families
 
-This is existence: every member touches the curve, in the point of its own parameter.  For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
+Every member touches the curve, in the point of its own parameter.  Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and
+$\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.  For $t_j=t_{j+1}$ the span is empty and nothing is claimed.  The contact is of order 1 where the curvature is not 0,
 for every $r$: `span_derivatives_are_parallel`, `curvatures_have_a_fixed_ratio`.
 :::
 
@@ -546,13 +582,45 @@ to look out for.
 :where: the weights of the curve, the levels and the member are not 0
 :then: at $\tau=t$: $\partial_\tau r^{[k-r]}=\frac r{k-1}r'$ and $\partial_tr^{[k-r]}=\frac{k-r-1}{k-1}r'$, so that
   $\partial_\tau r^{[k-r]}\times\partial_tr^{[k-r]}=0$
-:method: The derivative by $\tau$ is that of the Bézier curve of degree $r$ that the point, in homogeneous
+:method: The derivative by $\tau$ in two ways: of (4.1.3) for the $w_ir_i$ and the $w_i$, step by step; and of the Bézier curve of degree $r$ that the point, in homogeneous
   coordinates, is in $\tau$; one coordinate.  The two factors add up to 1, as they must: $r^{[k-r]}(t,t)=r(t)$.
 :degrees: 2..6 sampled 6
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | With the polar form $f$ of the segment in homogeneous coordinates the sums of level $r$ are $f[\tau^r,t^{k-1-r}]$, since the polar form is affine in each argument; at $\tau=t$
+  the derivatives by $t$ and $\tau$ have $k-1-r$ and $r$ of the $k-1$ equal parts of that of the curve; then the quotient rule.
 :control: the factors of the two derivatives exchanged and increased by 1
 :::
 */
+/* The derivative by tau of the member tau of level r at t, one coordinate: (4.1.3) for the w_i r_i and the w_i, differentiated step by
+ * step, h_i = a h_i + (1-a) h_{i-1} with a = (tau - t_i)/(t_{i+k-r} - t_i); then the sums, and the quotient rule. */
+static num G(derivative_by_tau)(int p, const num u[], int mu, const num R[], const num w[], int r, num tau, num t)
+{
+    num h[2][MAX_DEGREE + 1], d[2][MAX_DEGREE + 1], N[MAX_DEGREE + 1], S[2], S1[2];
+    for (int i = 0; i <= p; i++) {
+        h[0][i] = mul(w[i], R[i]), h[1][i] = w[i];
+        d[0][i] = d[1][i] = from_int(0);
+    }
+    for (int level = 1; level <= r; level++)
+        for (int m = 0; m <= p - level; m++) { /* i = mu-p+level+m */
+            int i = mu - p + level + m;
+            num length = sub(u[i + p + 1 - level], u[i]), a = div(sub(tau, u[i]), length), b = sub(from_int(1), a);
+            for (int c = 0; c < 2; c++) {
+                num change = div(sub(h[c][m + 1], h[c][m]), length);
+                d[c][m] = add(change, add(mul(a, d[c][m + 1]), mul(b, d[c][m])));
+                h[c][m] = add(mul(a, h[c][m + 1]), mul(b, h[c][m]));
+            }
+        }
+    G(bspline_basis)(p - r, u, mu, t, N);
+    for (int c = 0; c < 2; c++) {
+        S[c] = S1[c] = from_int(0);
+        for (int m = 0; m <= p - r; m++) {
+            S[c] = add(S[c], mul(N[m], h[c][m]));
+            S1[c] = add(S1[c], mul(N[m], d[c][m]));
+        }
+    }
+    return div(sub(mul(S1[0], S[1]), mul(S[0], S1[1])), mul(S[1], S[1]));
+}
+
 CLAIM(envelope_condition_holds_on_the_diagonal)
 {
     int p = T->degree, k = p + 1, mu = p, more = fault(T, 0, 1);
@@ -571,7 +639,10 @@ CLAIM(envelope_condition_holds_on_the_diagonal)
             same(T, E[1], mul(from_ratio(more ? r + 1 : k - r - 1, k - 1), D[1]));
             about(T, "the derivative by τ");
             /* ∂_τ r[k-r] = r/(k-1) r' */
-            same(T, E[2], mul(from_ratio(more ? k - r : r, k - 1), D[1]));
+            num part = mul(from_ratio(more ? k - r : r, k - 1), D[1]);
+            same(T, E[2], part);
+            about(T, "the derivative by τ of (4.1.3)");
+            same(T, G(derivative_by_tau)(p, u, mu, R, w, r, t, t), part);
         }
     }
 }

@@ -203,7 +203,7 @@ Between curve and polygon stands a third count, that of the polygon after an ins
   crossings of the polygon
 :method: The curve as polynomials, interval by interval, by counting roots of odd multiplicity and by comparing the
   sides on which one interval ends and the next one begins; jumps are counted.  Polygons by
-  `exact/decide/crossings.h`.
+  `exact/decide/crossings.h`.  Of ordinates and their negatives one is taken.
 :degrees: k = 2..4
 :scope: the stated curves
 :control: the polygon taken without its first vertex
@@ -229,7 +229,8 @@ CLAIM(designed_splines_cross_no_more) { for_designed(T, crosses_no_more); }
 :data: y = -1 0 1; w = 1000
 :then: common points of the curve, ends and tangents included, pieces on the line counted once, $\le$ those of the
   polygon with knots inserted $\le$ those of the polygon
-:method: The curve by counting different roots, interval by interval; polygons by `exact/decide/crossings.h`.
+:method: The curve by counting different roots, interval by interval; polygons by `exact/decide/crossings.h`.  Of ordinates and their negatives one is
+  taken.
 :degrees: k = 2..4
 :scope: the stated curves
 :control: the ends of the polygon not counted
@@ -407,13 +408,13 @@ change can arise.
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | a piece of the polygon on the line counts as one intersection: however many edges it has, and not as
   infinitely many points
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6); one equal knot more, in $T$ or inserted, makes a point without a share
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: averages_between_neighbours_keep_sign_changes | the step for crossings: a mean put between two neighbours, and a number left out
 :reading: cut_corners_meet_a_line_no_more | the step for common points, a piece on the line counting once: the same of a vertex
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
-:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof of lemma 4.2.1, for a knot before the domain: an edge $r_0r_1$ would be needed
+:reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof of lemma 4.2.1, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof of lemma 4.2.1, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: every order and every number of points and knots | An insertion puts a point on each of some edges and takes the old
@@ -517,7 +518,8 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
   inserted_parameters_become_vertices line_form_of_a_nurbs_curve
 :hypothesis: self_crossing_polygon_meets_the_line_less_than_its_spline | intersections are counted along curve and
   polygon, not as points of the plane
-:hypothesis: edge_on_the_line_must_be_counted | a piece of curve or polygon on the line counts as one intersection
+:hypothesis: edge_on_the_line_must_be_counted | a piece of curve or polygon on the line counts as one intersection: not counted it is
+  too little; if pieces count as infinitely many points the theorem is true, too, since with a piece of curve its control points are on the line
 :needs: mixed_weights_cross_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :reading: designed_splines_cross_no_more | of crossings
 :reading: designed_splines_meet_no_more | of common points, a piece on the line counting once
@@ -541,6 +543,7 @@ heights matter.
   may be taken as the axis $y=0$, and $y(t)$ has the sign of $\sum N_{i,k}w_iy_i$ for positive weights.
 :degrees: k = 1..6 sampled 7
 :scope: clamped ends with one simple knot between
+:argued: every order and all knots | The form is linear in $x$ and $y$: $a$ times the numerator of $x(t)$, $b$ times that of $y(t)$ and $c$ times the denominator, put together term by term.
 :over: l#: lines
 :where: $w(t)\ne0$
 :control: the constant $c$ left out at the last vertex
@@ -781,14 +784,14 @@ CLAIM(crossing_becomes_a_vertex_between_edges)
 :printed: with $T'=\{t_1'\}^{k-1}\oplus\{t_2'\}^{k-1}\oplus\cdots\oplus\{t_{N+1}'\}^{k-1}$ by (4.1.9) every point of intersection
   $\boldsymbol r_k(t_i')$ is a vertex of $\Gamma_k^{(T)}(T')$, $i=1,2,\dots,N+1$
 :holds-by: inserted_parameters_become_vertices
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6); one equal knot more, in $T$ or inserted, makes a point without a share
 :reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$, or $t_1=t_k$: then $r(t'_i)$ is a vertex, too,
   though not the one with the index of (4.1.9)
 :needs: negative_weight_loses_a_vertex_beside_the_common_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise another vertex may not exist
 :figure: points_of_the_line_as_vertices
 
 In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index
-$\mu_i+(i-1)(k-1)$.
+$\mu_i+(i-1)(k-1)$.  At a $k$-fold right end the point of the curve is $r_n$, and nothing need be inserted.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-meet
@@ -799,7 +802,7 @@ $\mu_i+(i-1)(k-1)$.
 :holds-by: inserted_parameters_become_vertices
 :confirmed-by: polygon_through_the_crossings_crosses_as_often
 :hypothesis: crossing_becomes_a_vertex_between_edges | an edge on the line counts: the vertices may be ends of such edges
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6); one equal knot more, in $T$ or inserted, makes a point without a share
 :needs: negative_weight_loses_a_vertex_beside_the_common_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise another vertex may not exist
 :argued: | The points are common points of the line and of the polygon, being vertices.  Two of them that belong to different intersections are not joined by edges on the
   line: the curve between is a mean of the vertices from one to the other, and would be on the line with them.
@@ -820,7 +823,7 @@ $\mu_i+(i-1)(k-1)$.
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | a piece of the polygon on the line counts as one intersection: however many edges it has
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6); one equal knot more, in $T$ or inserted, makes a point without a share
 :figure: what_must_be_counted
 :::
 
