@@ -419,7 +419,7 @@ CLAIM(printed_divided_lines_step_a_cubic) { G(compare_lines)(T, 1); }
 :zh: 反复加法求各点
 :printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the
   other by repeated additions.
-:holds-by: printed_lines_step_a_cubic table_after_any_number_of_steps
+:holds-by: differences_of_a_cubic printed_lines_step_a_cubic table_after_any_number_of_steps
 :confirmed-by: step_takes_differences_to_the_next_place additions_step_along_the_curve
 :figure: forward_differences
 :::
@@ -427,8 +427,8 @@ CLAIM(printed_divided_lines_step_a_cubic) { G(compare_lines)(T, 1); }
 :::{claim} table_after_any_number_of_steps
 :title: The table of a cubic after any number of steps, and at the other end
 :zh: 任意步之后的差分表
-:given: any four rows $d_0,\dots,d_3$, one coordinate, any number $i$ of steps, $\binom ij$ as a polynomial in $i$; and the rows of a cubic, $D$,
-  $A\delta^3+B\delta^2+C\delta$, $6A\delta^3+2B\delta^2$, $6A\delta^3$, any $A,B,C,D$ and $\delta$
+:given: any four rows $d_0,\dots,d_3$, one coordinate, any number $i$ of steps, $\binom ij$ as a polynomial in $i$; and the differences of a cubic at
+  $t=0$, $D$, $A\delta^3+B\delta^2+C\delta$, $6A\delta^3+2B\delta^2$, $6A\delta^3$, any $A,B,C,D$ and $\delta$
 :then: if the rows after $i$ steps are $\sum_j\binom ijd_{k+j}$, as they are for $i=0$, they are these sums with $i+1$ after one more; the first row of the cubic is then
   $P(i\delta)$, so for $i\delta=1$ it is $P(1)=A+B+C+D$
 :method: No step, and one step of the table with everything a variable; then induction.
@@ -490,7 +490,8 @@ and additions; with another step it is not.
 :title: With differences no multiplication is left
 :zh: 差分法不用乘法
 :printed: With differences multiplications are not needed at all, only shifts and additions, so that the curve wanted can be generated at high speed.
-:holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table step_takes_differences_to_the_next_place
+  table_after_any_number_of_steps
 :meant: the words "so that" (从而) | High speed is: without multiplications.
 :needs: other_steps_need_multiplications | $\delta=1/2^m$ a few lines below, with shifts and additions | $\delta=2^{-m}$: so that the
   table (1-4-5) is begun by shifts, and the divided step (1-4-4) takes shifts.  The step (1-4-3) without division has additions only, whatever

@@ -80,7 +80,7 @@ the line that turns back, the trouble begins where the point stands still.
 :meant: the usual notion of the class $C^r$, as the words are out of order | The derivatives of the orders 1 to $r$.
 :figure: cusp_and_its_derivative
 
-The curve of the example has the derivative 0 at $t=\frac12$, so that by this definition it is of no class there.
+The curve of the example has the derivative 0 at $t=\frac12$, so that by this definition it is of no class on an interval that contains this parameter.
 :::
 
 The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, which have
@@ -511,6 +511,7 @@ CLAIM(natural_line_is_regular)
 :zh: 同一条直线的另一参数
 :printed: $x=y=\phi(t)=10t^3-15t^2+6t$ represents the same line (直线) as $x=y=t$.
 :holds-by: cubic_parameter_stays_on_the_segment
+:meant: the beginning $t=0$ (起点) and the end $t=1$ (终点) of the sentences behind it | The line is its segment of $0\le t\le1$.
 :figure: one_line_two_parameters
 :::
 */
@@ -528,7 +529,8 @@ CLAIM(natural_line_is_regular)
   has a zero between; moreover $\phi(1-t)=1-\phi(t)$
 :result: φ(0), φ(1) = 0 1
 :method: Signs of $\phi$ and $1-\phi$ on the interval by root counts; the symmetry as polynomials.
-:scope: 0 ≤ t ≤ 1
+:scope: the stated line
+:where: $0\le t\le1$
 :control: another coefficient of $t$
 :::
 */
@@ -568,7 +570,7 @@ $\phi(1-t)=1-\phi(t)$, and the next claim finds a curiosity: $\phi$ takes each o
 :instead: q = 9
 :then: $\phi'(t)=k\,(w^2-p)$; so $\phi'=0$ exactly for $w=\pm\sqrt p$; at these $\phi(t)=\frac{p-w}q$, the other one of the two
 :method: Identities in $w$: $\phi-\frac{p-w}q=\frac{w(w^2-p)}{q^2}$.
-:scope: the stated curve
+:scope: the stated line
 :over: w: -
 :control: another denominator of $t$
 :::
@@ -640,7 +642,8 @@ CLAIM(point_moves_backward_in_between)
 :then: $\phi'$ is positive at the ends, negative in the middle, and has two roots, both changes of sign, in $(0,1)$
 :result: φ'(t) = 6 -3/2 6; roots, changes of sign = 2 2
 :method: Root counts and values, exactly.
-:scope: 0 ≤ t ≤ 1
+:scope: the stated line
+:where: $0\le t\le1$
 :control: twice the coefficient of $t$
 :::
 */
