@@ -579,7 +579,7 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
 :title: A step costs n additions for each coordinate, and, scaled, n shifts
 :zh: 每步的加法与移位次数
 :kind: decision
-:given: degree $n$, coordinates $d=1,\dots,D$, $\delta=2^{-m}$
+:given: degree $n$, $d=1,2,3$ coordinates, $\delta=2^{-m}$
 :where: $\delta=2^{-m}$
 :data: D = 3
 :then: `power_difference_step` costs $nd$ additions and nothing else, `power_scaled_difference_step` $nd$ additions and $nd$ shifts

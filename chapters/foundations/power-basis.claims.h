@@ -483,11 +483,11 @@ static struct operations cost_of_horner(trial *T, int n, int dim)
 :title: The multiplications of the two forms, counted
 :zh: 两种形式的乘法次数
 :kind: decision
-:given: degrees up to $N$, one coordinate; and the degree $n$ of the source
+:given: the degrees $k$ up to 12, one coordinate; and the degree $n=3$ of the source
 :data: N = 12; n = 3
 :then: for degree $k$ the sum of powers takes $\frac{k(k+1)}2$ multiplications and $k$ additions, Horner's rule $k$ and $k$
 :result: multiplications of the sum = 6; of Horner's rule = 3
-:method: The definition's loop and the kernel are run in a number type that counts, for every degree up to $N$; the source speaks of
+:method: The definition's loop and the kernel are run in a number type that counts, for every degree up to 12; the source speaks of
   the cubic.
 :scope: n = 3, one coordinate
 :control: the powers kept from term to term

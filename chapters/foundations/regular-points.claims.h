@@ -109,7 +109,7 @@ direction; each of the two parameters has its one tangent, the point has two.
 :zh: 幂函数差商的极限(任意次数)
 :given: any $k\ge1$, $t$ and $h$; $p=t^k$, and $q$ with $(t+h)^k-t^k=hq$
 :then: $(t+h)^{k+1}-t^{k+1}=h\,\bigl((t+h)\,q+p\bigr)$; and where $q=k\,t^{k-1}$ for $h=0$, that bracket is $(k+1)\,t^k$ for $h=0$
-:method: One step from a power to the next, with $k$, $t^{k-1}$, $q$, $h$, $t$ variables; for $k=1$ is $q=1$.  By induction the quotient
+:method: One step from a power to the next, with $k$, $t^{k-1}$, $q$, $h$, $t$ variables; for $k=1$, $q=1$.  By induction the quotient
   $\frac{P(t+h)-P(t)}h$ of every polynomial is a polynomial in $h$ whose value for $h=0$ is $P'(t)$; so the direction of the chord has the limit $P'(t)$ from
   both sides wherever this is not 0, coordinate by coordinate.
 :degrees: all
@@ -134,9 +134,10 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
 :title: A polynomial without a constant is as small as one likes near zero, in every degree
 :zh: 无常数项的多项式在零附近任意小(任意次数)
 :given: $0<h<1$, the size of the argument; a sum of some terms $c_k(\pm h)^k$, $k\ge1$, of a size of at most $E$, the sum $S$ of the sizes of their coefficients, $hS-E=g\ge0$; one more
-  coefficient, of the size $a$, and power $h\,p$, $p=h^{k-1}$, $0<p<1$ or, for $k=1$, $p=1$; and $\varepsilon>0$, $0<y<1$
+  coefficient, of the size $a>0$, and power $h\,p$, $p=h^{k-1}$, $0<p<1$ or, for $k=1$, $p=1$; and $\varepsilon>0$, $0<y<1$
 :harmless: $hS-E=g\ge0$ | the induction keeps it
 :harmless: $\varepsilon>0$, $0<y<1$ | as small as one likes
+:harmless: $a>0$ | a coefficient 0 changes nothing
 :then: $h(S+a)-(E+a\,h\,p)=g+a\,h\,(1-p)\ge0$, so $|\sum c_k(\pm h)^k|\le h\sum|c_k|$; and for $h=y\,\frac\varepsilon S$ that is less than $\varepsilon$ by
   $\varepsilon\,(1-y)$, where $S\ne0$; with $S=0$ the sum is 0
 :method: One step with everything a variable; then induction over the terms.
@@ -147,10 +148,11 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
 */
 CLAIM(polynomial_without_constant_is_small_near_zero)
 {
-    num h = inside(T, "h"), g = positive(T, "g", 0), S = positive(T, "S", 0), a = positive(T, "a", 0),
-        one = from_int(1);
-    num E = sub(mul(h, S), g), sum = add(S, fault(T, a, neg(a)));
-    for (int first = 0; first < 2; first++) {
+    num h = inside(T, "h"), S = positive(T, "S", 0), a = positive(T, "a", 0), one = from_int(1);
+    num sum = add(S, fault(T, a, neg(a)));
+    for (int choice = 0; choice < 4; choice++) {
+        int first = choice % 2;
+        num g = choice < 2 ? positive(T, "g", 0) : from_int(0), E = sub(mul(h, S), g);
         num p = first ? one : inside(T, "p"), left = add(g, mul(mul(a, h), sub(one, p)));
         about(T, first ? "the first term" : "a further term");
         same(T, sub(mul(h, sum), add(E, mul(mul(a, h), p))), left);
@@ -159,7 +161,7 @@ CLAIM(polynomial_without_constant_is_small_near_zero)
     num epsilon = positive(T, "e", 0), y = inside(T, "y"), rest = mul(epsilon, sub(one, y));
     about(T, "as small as one likes");
     same(T, sub(epsilon, mul(div(mul(y, epsilon), S), S)), rest);
-    nonnegative(T, rest);
+    G(must_be_positive)(T, rest);
 }
 
 /*
