@@ -378,7 +378,8 @@ CLAIM(step_takes_differences_to_the_next_place)
 static void G(compare_lines)(trial *T, int divided)
 {
     enum { dim = 3, last = 3 };
-    num c[(last + 1) * dim], t = parameter(T, "t"), delta = positive(T, "d", 0), zero = from_int(0);
+    num c[(last + 1) * dim], t = parameter(T, "t"), zero = from_int(0);
+    num delta = divided ? positive(T, "d", 0) : parameter(T, "d");
     num next = add(t, fault(T, delta, add(delta, delta)));
     G(free_points)(T, last, dim, c);
     for (int j = 0; j < dim; j++)
@@ -459,7 +460,7 @@ static num G(row_after)(const trial *T, const num d[4], int k, num i)
 
 CLAIM(table_after_any_number_of_steps)
 {
-    num d[4], row[4], c[4], i = whole(T, "i", 0, 40), next = add(i, from_int(1)), delta = positive(T, "e", 0);
+    num d[4], row[4], c[4], i = whole(T, "i", 0, 40), next = add(i, from_int(1)), delta = unknown(T, "e", 0);
     for (int k = 0; k < 4; k++) {
         d[k] = unknown(T, "d", k);
         c[k] = unknown(T, "c", k);

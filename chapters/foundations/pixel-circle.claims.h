@@ -92,7 +92,7 @@ CLAIM(unit_height_is_not_unit_distance)
 */
 CLAIM(distance_of_the_first_two_points)
 {
-    num a = inside(T, "a"), r = positive(T, "r", 0), one = from_int(1), aa = mul(a, a), M[4], next[2];
+    num a = positive(T, "a", 0), r = positive(T, "r", 0), one = from_int(1), aa = mul(a, a), M[4], next[2];
     struct G(turn) angle = G(turn_by)(a);
     num from_sine = div(add(one, aa), mul(from_int(2), a)), first[2] = {r, from_int(0)};
     G(rotation)(angle, M);

@@ -65,7 +65,7 @@ CLAIM(parabola_across_has_no_slope)
 }
 
 /*
-A graph $y=f(x)$ has one point over each $x$, and no vertical tangent where $f$ has a derivative: it cannot lie across.  A
+A graph $y=f(x)$ has at most one point over each $x$, and no vertical tangent where $f$ has a derivative: it cannot lie across.  A
 parameter removes both restrictions at once, since $x$ becomes one coordinate among others.  What it costs is that the
 extent of the curve has to be said in the parameter, and this turns out to be an advantage: two intervals separate what
 one abscissa cannot.

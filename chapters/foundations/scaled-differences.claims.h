@@ -223,7 +223,7 @@ points, and the rows of (1-4-5) only that of their own, small, size.
 :::{claim} table_is_whole_in_units_of_the_cube
 :title: The table of a cubic has 3m binary places more than its coefficients, and needs no more
 :zh: 差分表比系数多 3m 位
-:given: $\delta=\frac1N$, any $N>0$, as $N=2^m$; any coefficients of degree 3
+:given: $\delta=\frac1N$, any $N>0$, such as $N=2^m$; any coefficients of degree 3
 :then: $N^3$ times the four rows are $N^3D$, $A+BN+CN^2$, $6A+2BN$ and $6A$; so where the coefficients are whole in units of $2^{-b}$ the rows are whole in
   units of $2^{-b-3m}$, and remain so, as only sums are formed; the rows of (1-4-4) are these times $1$, $N$, $N^2$ and $N^3$, and so are whole in these
   units, too
