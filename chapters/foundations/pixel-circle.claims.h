@@ -228,11 +228,11 @@ CLAIM(third_matrix_by_the_radius)
 :title: Beyond a right angle the cosine is not the root
 :zh: 钝角时余弦不等于算术根
 :kind: counterexample
-:given: cosine and sine of an obtuse angle $\theta$
+:given: cosine and sine of an obtuse angle $\theta$; the radius $r$ with $r\sin\theta=1$
 :data: cos θ = -3/5; sin θ = 4/5
 :instead: cos θ = 3/5
 :then: $\sqrt{1-\sin^2\theta}\ne\cos\theta$; the cosine of $\sin^{-1}(\sin\theta)$ is that root, so that this angle is not $\theta$
-:result: √(1 - sin² θ) = 3/5
+:result: r = 5/4; √(1 - sin² θ) = 3/5
 :method: Both numbers, exactly.
 :control: the acute angle with this sine
 :::
@@ -241,6 +241,7 @@ CLAIM(negative_cosine_is_not_the_root)
 {
     num cosine = given(T, "cos θ"), sine = given(T, "sin θ");
     num positive_root = root(2, sub(from_int(1), mul(sine, sine)));
+    found(T, "r", div(from_int(1), sine));
     found(T, "√(1 - sin² θ)", positive_root);
     about(T, "the root of 1 - sin², and the cosine");
     same(T, positive_root, cosine);

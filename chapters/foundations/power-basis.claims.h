@@ -534,7 +534,7 @@ CLAIM(kept_powers_need_five)
 :title: The multiplications when the powers are kept
 :zh: 保留幂次时的乘法次数
 :kind: decision
-:given: degree $n$, one to $D$ coordinates
+:given: degree $n=3$, one to three coordinates
 :data: n = 3; D = 3
 :then: for $d$ coordinates, with $t^2$ and $t^3$ computed once, $n-1+nd$ multiplications; Horner's rule $nd$
 :method: Both loops are run in the number type that counts.

@@ -76,7 +76,7 @@ the line that turns back, the trouble begins where the point stands still.
 :printed: If for a curve $P(t)$ ($a\le t\le b$) all derivatives of $x(t),y(t),z(t)$ "of order $r$ that are positive" (所有 r 阶为正的导数) exist and are
   continuous, and the regularity condition above is satisfied, the curve is called continuous of class $C^r$.
 :checked-by: cusp_of_the_example_is_a_cusp
-:example: a curve whose coordinates are polynomials, and which is of no class.
+:example: a curve whose coordinates are polynomials, and which is of no class on $[0,1]$.
 :meant: the usual notion of the class $C^r$, as the words are out of order | The derivatives of the orders 1 to $r$.
 :figure: cusp_and_its_derivative
 

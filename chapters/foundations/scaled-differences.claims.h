@@ -32,7 +32,7 @@ step, which makes them as large as the coefficients, and begins the table with t
 :::{claim} third_difference_loses_three_bytes
 :title: The size of the differences for the step 1/256
 :zh: 步长 1/256 时各阶差分的大小
-:given: $P(t)=At^3+Bt^2+Ct+D$, $\delta=\frac1n$ with $n=2^m$, any coefficients
+:given: $P(t)=At^3+Bt^2+Ct+D$, $\delta=\frac1n$ with $n=2^m=256$, any coefficients
 :data: n = 256; m = 8
 :instead: n = 128
 :then: $\Delta^3P_0$ is six times $A/2^{3m}$; the difference of order 4 is 0 at every $t$, and so are those of higher order, which are its differences
