@@ -378,7 +378,8 @@ CLAIM(step_takes_differences_to_the_next_place)
 static void G(compare_lines)(trial *T, int divided)
 {
     enum { dim = 3, last = 3 };
-    num c[(last + 1) * dim], t = parameter(T, "t"), delta = positive(T, "d", 0), zero = from_int(0);
+    num c[(last + 1) * dim], t = parameter(T, "t"), zero = from_int(0);
+    num delta = divided ? positive(T, "d", 0) : parameter(T, "d");
     num next = add(t, fault(T, delta, add(delta, delta)));
     G(free_points)(T, last, dim, c);
     for (int j = 0; j < dim; j++)
@@ -419,7 +420,7 @@ CLAIM(printed_divided_lines_step_a_cubic) { G(compare_lines)(T, 1); }
 :zh: 反复加法求各点
 :printed: If the differences at $t=0$ are known, the points of the curve at $t=\delta,2\delta,\dots,i\delta,\dots$ are found one after the
   other by repeated additions.
-:holds-by: printed_lines_step_a_cubic table_after_any_number_of_steps
+:holds-by: differences_of_a_cubic printed_lines_step_a_cubic table_after_any_number_of_steps
 :confirmed-by: step_takes_differences_to_the_next_place additions_step_along_the_curve
 :figure: forward_differences
 :::
@@ -427,8 +428,8 @@ CLAIM(printed_divided_lines_step_a_cubic) { G(compare_lines)(T, 1); }
 :::{claim} table_after_any_number_of_steps
 :title: The table of a cubic after any number of steps, and at the other end
 :zh: 任意步之后的差分表
-:given: any four rows $d_0,\dots,d_3$, one coordinate, any number $i$ of steps, $\binom ij$ as a polynomial in $i$; and the rows of a cubic, $D$,
-  $A\delta^3+B\delta^2+C\delta$, $6A\delta^3+2B\delta^2$, $6A\delta^3$, any $A,B,C,D$ and $\delta$
+:given: any four rows $d_0,\dots,d_3$, one coordinate, any number $i$ of steps, $\binom ij$ as a polynomial in $i$; and the differences of a cubic at
+  $t=0$, $D$, $A\delta^3+B\delta^2+C\delta$, $6A\delta^3+2B\delta^2$, $6A\delta^3$, any $A,B,C,D$ and $\delta$
 :then: if the rows after $i$ steps are $\sum_j\binom ijd_{k+j}$, as they are for $i=0$, they are these sums with $i+1$ after one more; the first row of the cubic is then
   $P(i\delta)$, so for $i\delta=1$ it is $P(1)=A+B+C+D$
 :method: No step, and one step of the table with everything a variable; then induction.
@@ -459,7 +460,7 @@ static num G(row_after)(const trial *T, const num d[4], int k, num i)
 
 CLAIM(table_after_any_number_of_steps)
 {
-    num d[4], row[4], c[4], i = whole(T, "i", 0, 40), next = add(i, from_int(1)), delta = positive(T, "e", 0);
+    num d[4], row[4], c[4], i = whole(T, "i", 0, 40), next = add(i, from_int(1)), delta = unknown(T, "e", 0);
     for (int k = 0; k < 4; k++) {
         d[k] = unknown(T, "d", k);
         c[k] = unknown(T, "c", k);
@@ -490,7 +491,8 @@ and additions; with another step it is not.
 :title: With differences no multiplication is left
 :zh: 差分法不用乘法
 :printed: With differences multiplications are not needed at all, only shifts and additions, so that the curve wanted can be generated at high speed.
-:holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table step_takes_differences_to_the_next_place
+  table_after_any_number_of_steps
 :meant: the words "so that" (从而) | High speed is: without multiplications.
 :needs: other_steps_need_multiplications | $\delta=1/2^m$ a few lines below, with shifts and additions | $\delta=2^{-m}$: so that the
   table (1-4-5) is begun by shifts, and the divided step (1-4-4) takes shifts.  The step (1-4-3) without division has additions only, whatever
@@ -578,7 +580,7 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
 :title: A step costs n additions for each coordinate, and, scaled, n shifts
 :zh: 每步的加法与移位次数
 :kind: decision
-:given: degree $n$, coordinates $d=1,\dots,D$, $\delta=2^{-m}$
+:given: degree $n$, $d=1,2,3$ coordinates, $\delta=2^{-m}$
 :where: $\delta=2^{-m}$
 :data: D = 3
 :then: `power_difference_step` costs $nd$ additions and nothing else, `power_scaled_difference_step` $nd$ additions and $nd$ shifts

@@ -16,6 +16,8 @@ should be as far as one pixel (象素).
   $x_{n+1}=\cos\theta\,x_n-\sin\theta\,y_n$, $y_{n+1}=\sin\theta\,x_n+\cos\theta\,y_n$; turning a point
   continually, here about the $z$-axis, gives a circle as well.
 :holds-by: rotation_matrix_adds_the_angle rotated_points_are_equally_spaced
+:meant: the words of the first way, by which points of the circle at equal angles are computed (圆周上一系列等角度分布的点) | A circle is given by
+  points: all of them are on one circle, each is turned by $\theta$ from the one before.
 :needs: centre_is_never_turned | the sentence after it, $y_1=r\sin\theta=1$ | $A_0\ne(0,0)$
 :needs: angle_zero_turns_no_point | the angle of the sentence after it, $\theta=\sin^{-1}\frac1r$ | $\theta$ is no
   multiple of $2\pi$
@@ -79,8 +81,8 @@ CLAIM(unit_height_is_not_unit_distance)
 :title: The distance of the first two points
 :zh: 首两点的距离
 :given: $0<\theta<\pi$ with the tangent $a$ of its half, $A_0=(r,0)$
-:then: $|A_0A_1|^2=(2r\sin\frac\theta2)^2=\frac{4r^2a^2}{1+a^2}$; for $r\sin\theta=1$ this is $1+a^2$, and it is 1 exactly for
-  $\cos\theta=1-\frac1{2r^2}$
+:then: $|A_0A_1|^2=(2r\sin\frac\theta2)^2=\frac{4r^2a^2}{1+a^2}$; for $r\sin\theta=1$ this is $1+a^2$; and for any $r$
+  the square of the distance is 1 exactly for $\cos\theta=1-\frac1{2r^2}$
 :method: The point by the rotation, in the field with $a$ and $r$ variables; then $r=\frac{1+a^2}{2a}$; and
   $2r^2(1-\cos\theta)-1=2r^2\bigl(1-\frac1{2r^2}-\cos\theta\bigr)$.
 :scope: 0 < θ < π
@@ -90,7 +92,7 @@ CLAIM(unit_height_is_not_unit_distance)
 */
 CLAIM(distance_of_the_first_two_points)
 {
-    num a = inside(T, "a"), r = positive(T, "r", 0), one = from_int(1), aa = mul(a, a), M[4], next[2];
+    num a = positive(T, "a", 0), r = positive(T, "r", 0), one = from_int(1), aa = mul(a, a), M[4], next[2];
     struct G(turn) angle = G(turn_by)(a);
     num from_sine = div(add(one, aa), mul(from_int(2), a)), first[2] = {r, from_int(0)};
     G(rotation)(angle, M);
@@ -130,7 +132,7 @@ CLAIM(distance_of_the_third_way_tends_to_a_pixel)
     num sine = G(turn_by)(a).sin; /* 1/r */
     num factor = add(from_int(fault(T, 3, 2)), aa), gap = div(mul(aa, mul(sub(one, aa), factor)), mul(below, below));
     same(T, sub(mul(sine, sine), aa), gap);
-    nonnegative(T, gap);
+    G(must_be_positive)(T, gap);
 }
 
 /*
@@ -164,8 +166,8 @@ CLAIM(larger_difference_is_the_height)
 }
 
 /*
-With the height, the source computes the angle and then the matrix.  Both steps take an inverse: between 0 and $\pi$
-there are two angles with this sine, and the cosine can be either of two roots; a small step means the smaller angle,
+With the height, the source computes the angle and then the matrix.  Both steps take an inverse: for $r>1$ there are
+two angles between 0 and $\pi$ with this sine, and the cosine can be either of two roots; a small step means the smaller angle,
 and the positive root.
 
 :::{statement} hu-1987:1-3-third-angle
@@ -193,8 +195,9 @@ and the positive root.
 :::{claim} third_matrix_by_the_radius
 :title: The three forms of the matrix agree
 :zh: 第三种方法矩阵的三种形式
-:given: $0<\theta\le\frac\pi2$ with the tangent $a$ of its half, $0<a\le1$, $r=\frac1{\sin\theta}$
-:then: $(1-\varepsilon^2)=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta\ge0$, so that $\theta=\sin^{-1}\frac1r$; the determinant is 1
+:given: $0<\theta\le\frac\pi2$ with the tangent $a$ of its half, $0<a\le1$; $\varepsilon=\sin\theta$, $r=\frac1{\sin\theta}$
+:then: $1-\varepsilon^2=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta\ge0$, so that $\theta=\sin^{-1}\frac1r$; the other entries of the
+  rotation matrix are $\varepsilon=\frac1r$ and $-\varepsilon=-\frac1r$, its determinant is 1
 :method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive, and for $a=1$, where it is 0: it is the root.
 :scope: $0<\theta\le\frac\pi2$
 :harmless: $0<a\le1$ | it is $0<\theta\le\frac\pi2$, $a=\tan\frac\theta2$
@@ -212,6 +215,9 @@ CLAIM(third_matrix_by_the_radius)
         same(T, sub(one, mul(epsilon, epsilon)), square);
         same(T, div(fault(T, sub(rr, one), add(rr, one)), rr), square);
         nonnegative(T, angle.cos);
+        same(T, M[1], epsilon);
+        same(T, M[1], div(one, r));
+        same(T, M[2], neg(M[1]));
         same(T, G(cross2)(M, M + 2), one);
     }
 }
@@ -222,11 +228,11 @@ CLAIM(third_matrix_by_the_radius)
 :title: Beyond a right angle the cosine is not the root
 :zh: 钝角时余弦不等于算术根
 :kind: counterexample
-:given: cosine and sine of an obtuse angle $\theta$
+:given: cosine and sine of an obtuse angle $\theta$; the radius $r$ with $r\sin\theta=1$
 :data: cos θ = -3/5; sin θ = 4/5
 :instead: cos θ = 3/5
 :then: $\sqrt{1-\sin^2\theta}\ne\cos\theta$; the cosine of $\sin^{-1}(\sin\theta)$ is that root, so that this angle is not $\theta$
-:result: √(1 - sin² θ) = 3/5
+:result: r = 5/4; √(1 - sin² θ) = 3/5
 :method: Both numbers, exactly.
 :control: the acute angle with this sine
 :::
@@ -235,6 +241,7 @@ CLAIM(negative_cosine_is_not_the_root)
 {
     num cosine = given(T, "cos θ"), sine = given(T, "sin θ");
     num positive_root = root(2, sub(from_int(1), mul(sine, sine)));
+    found(T, "r", div(from_int(1), sine));
     found(T, "√(1 - sin² θ)", positive_root);
     about(T, "the root of 1 - sin², and the cosine");
     same(T, positive_root, cosine);

@@ -24,6 +24,7 @@ section says what such a curve is good for, and counts the first two; the table 
 :printed: In the fitting of curves the form that is not parametric has the problem of slopes $dy/dx=\infty$, that of several
   values, and so on (等等).
 :holds-by: parabola_across_has_no_slope
+:meant: the slope $dy/dx$, which is that of a function $y$ of $x$ | The form that is not parametric is $y=f(x)$.
 :example: two problems are named that can occur, and one curve has both.
 :figure: infinite_slope_and_two_values
 :::
@@ -64,7 +65,7 @@ CLAIM(parabola_across_has_no_slope)
 }
 
 /*
-A graph $y=f(x)$ cannot stand upright and cannot lie across: it has one point over each $x$, and no vertical tangent.  A
+A graph $y=f(x)$ has at most one point over each $x$, and no vertical tangent where $f$ has a derivative: it cannot lie across.  A
 parameter removes both restrictions at once, since $x$ becomes one coordinate among others.  What it costs is that the
 extent of the curve has to be said in the parameter, and this turns out to be an advantage: two intervals separate what
 one abscissa cannot.
@@ -243,29 +244,29 @@ CLAIM(lines_of_lower_degree_have_curvature_zero)
 :title: A cubic can leave every plane, and a plane one can have an inflection
 :zh: 三次曲线可不在平面内,可有拐点
 :kind: decision
-:given: a cubic in space and one in the plane, with the coefficients $S$ and $P$, and $t>0$
-:data: S = (0,0,0) (1,0,0) (0,1,0) (0,0,1); P = (0,0) (1,0) (0,0) (0,1); t = 1/3
+:given: a cubic in space and one in the plane, with the coefficients $S$ and $P$, and two parameters $t$ between 0 and 1
+:data: S = (0,0,0) (1,0,0) (0,1,0) (0,0,1); P = (0,-1) (1,6) (0,-12) (0,8); t = 1/3 2/3
 :instead: S = (0,0,0) (1,0,0) (0,1,1) (0,0,0); P = (0,0) (1,0) (0,1) (0,0)
-:then: the determinant $(S',S'',S''')$ is not 0; $P'\times P''$ changes its sign between $-t$ and $t$
-:result: (S',S'',S''') = 12; P' × P'' at -t and t = -2 2
-:method: The kernels, at $t$ and at $\pm t$.
+:then: the determinant $(S',S'',S''')$ is not 0; $P'\times P''$ changes its sign between the two, and $P'\ne0$ everywhere, as $x=t$
+:result: (S',S'',S''') = 12; P' × P''(t) = -8 8
+:method: The kernels, at the two parameters; the determinant of a cubic does not depend on $t$.
 :control: coefficients of degree 2
 :::
 */
 CLAIM(cubics_leave_the_plane_and_inflect)
 {
-    num space[12], plane[8], D[12], sides[2];
+    num space[12], plane[8], D[12], t[2], sides[2];
     given_points(T, "S", 4, 3, space);
     given_points(T, "P", 4, 2, plane);
-    num t = given(T, "t");
-    G(power_derivatives)(3, 3, space, t, 3, D);
+    given_points(T, "t", 2, 1, t);
+    G(power_derivatives)(3, 3, space, t[0], 3, D);
     num volume = G(det3)(D + 3, D + 6, D + 9);
     for (int side = 0; side < 2; side++) {
-        G(power_derivatives)(3, 2, plane, side ? t : neg(t), 2, D);
+        G(power_derivatives)(3, 2, plane, t[side], 2, D);
         sides[side] = G(cross2)(D + 2, D + 4);
     }
     found(T, "(S',S'',S''')", volume);
-    found_points(T, "P' × P'' at -t and t", 2, 1, sides);
+    found_points(T, "P' × P''(t)", 2, 1, sides);
     agree(T, !is_zero_q(volume));
     agree(T, sign_q(sides[0]) < 0 && sign_q(sides[1]) > 0);
 }
@@ -482,11 +483,11 @@ static struct operations cost_of_horner(trial *T, int n, int dim)
 :title: The multiplications of the two forms, counted
 :zh: 两种形式的乘法次数
 :kind: decision
-:given: degrees up to $N$, one coordinate; and the degree $n$ of the source
+:given: the degrees $k$ up to 12, one coordinate; and the degree $n=3$ of the source
 :data: N = 12; n = 3
 :then: for degree $k$ the sum of powers takes $\frac{k(k+1)}2$ multiplications and $k$ additions, Horner's rule $k$ and $k$
 :result: multiplications of the sum = 6; of Horner's rule = 3
-:method: The definition's loop and the kernel are run in a number type that counts, for every degree up to $N$; the source speaks of
+:method: The definition's loop and the kernel are run in a number type that counts, for every degree up to 12; the source speaks of
   the cubic.
 :scope: n = 3, one coordinate
 :control: the powers kept from term to term
@@ -533,7 +534,7 @@ CLAIM(kept_powers_need_five)
 :title: The multiplications when the powers are kept
 :zh: 保留幂次时的乘法次数
 :kind: decision
-:given: degree $n$, one to $D$ coordinates
+:given: degree $n=3$, one to three coordinates
 :data: n = 3; D = 3
 :then: for $d$ coordinates, with $t^2$ and $t^3$ computed once, $n-1+nd$ multiplications; Horner's rule $nd$
 :method: Both loops are run in the number type that counts.

@@ -76,11 +76,11 @@ the line that turns back, the trouble begins where the point stands still.
 :printed: If for a curve $P(t)$ ($a\le t\le b$) all derivatives of $x(t),y(t),z(t)$ "of order $r$ that are positive" (所有 r 阶为正的导数) exist and are
   continuous, and the regularity condition above is satisfied, the curve is called continuous of class $C^r$.
 :checked-by: cusp_of_the_example_is_a_cusp
-:example: a curve whose coordinates are polynomials, and which is of no class.
+:example: a curve whose coordinates are polynomials, and which is of no class on $[0,1]$.
 :meant: the usual notion of the class $C^r$, as the words are out of order | The derivatives of the orders 1 to $r$.
 :figure: cusp_and_its_derivative
 
-The curve of the example has the derivative 0 at $t=\frac12$, so that by this definition it is of no class there.
+The curve of the example has the derivative 0 at $t=\frac12$, so that by this definition it is of no class on an interval that contains this parameter.
 :::
 
 The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, which have
@@ -109,7 +109,7 @@ direction; each of the two parameters has its one tangent, the point has two.
 :zh: 幂函数差商的极限(任意次数)
 :given: any $k\ge1$, $t$ and $h$; $p=t^k$, and $q$ with $(t+h)^k-t^k=hq$
 :then: $(t+h)^{k+1}-t^{k+1}=h\,\bigl((t+h)\,q+p\bigr)$; and where $q=k\,t^{k-1}$ for $h=0$, that bracket is $(k+1)\,t^k$ for $h=0$
-:method: One step from a power to the next, with $k$, $t^{k-1}$, $q$, $h$, $t$ variables; for $k=1$ is $q=1$.  By induction the quotient
+:method: One step from a power to the next, with $k$, $t^{k-1}$, $q$, $h$, $t$ variables; for $k=1$, $q=1$.  By induction the quotient
   $\frac{P(t+h)-P(t)}h$ of every polynomial is a polynomial in $h$ whose value for $h=0$ is $P'(t)$; so the direction of the chord has the limit $P'(t)$ from
   both sides wherever this is not 0, coordinate by coordinate.
 :degrees: all
@@ -134,9 +134,10 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
 :title: A polynomial without a constant is as small as one likes near zero, in every degree
 :zh: 无常数项的多项式在零附近任意小(任意次数)
 :given: $0<h<1$, the size of the argument; a sum of some terms $c_k(\pm h)^k$, $k\ge1$, of a size of at most $E$, the sum $S$ of the sizes of their coefficients, $hS-E=g\ge0$; one more
-  coefficient, of the size $a$, and power $h\,p$, $p=h^{k-1}$, $0<p<1$ or, for $k=1$, $p=1$; and $\varepsilon>0$, $0<y<1$
+  coefficient, of the size $a>0$, and power $h\,p$, $p=h^{k-1}$, $0<p<1$ or, for $k=1$, $p=1$; and $\varepsilon>0$, $0<y<1$
 :harmless: $hS-E=g\ge0$ | the induction keeps it
 :harmless: $\varepsilon>0$, $0<y<1$ | as small as one likes
+:harmless: $a>0$ | a coefficient 0 changes nothing
 :then: $h(S+a)-(E+a\,h\,p)=g+a\,h\,(1-p)\ge0$, so $|\sum c_k(\pm h)^k|\le h\sum|c_k|$; and for $h=y\,\frac\varepsilon S$ that is less than $\varepsilon$ by
   $\varepsilon\,(1-y)$, where $S\ne0$; with $S=0$ the sum is 0
 :method: One step with everything a variable; then induction over the terms.
@@ -147,10 +148,11 @@ CLAIM(quotient_of_a_power_tends_to_its_derivative)
 */
 CLAIM(polynomial_without_constant_is_small_near_zero)
 {
-    num h = inside(T, "h"), g = positive(T, "g", 0), S = positive(T, "S", 0), a = positive(T, "a", 0),
-        one = from_int(1);
-    num E = sub(mul(h, S), g), sum = add(S, fault(T, a, neg(a)));
-    for (int first = 0; first < 2; first++) {
+    num h = inside(T, "h"), S = positive(T, "S", 0), a = positive(T, "a", 0), one = from_int(1);
+    num sum = add(S, fault(T, a, neg(a)));
+    for (int choice = 0; choice < 4; choice++) {
+        int first = choice % 2;
+        num g = choice < 2 ? positive(T, "g", 0) : from_int(0), E = sub(mul(h, S), g);
         num p = first ? one : inside(T, "p"), left = add(g, mul(mul(a, h), sub(one, p)));
         about(T, first ? "the first term" : "a further term");
         same(T, sub(mul(h, sum), add(E, mul(mul(a, h), p))), left);
@@ -159,7 +161,7 @@ CLAIM(polynomial_without_constant_is_small_near_zero)
     num epsilon = positive(T, "e", 0), y = inside(T, "y"), rest = mul(epsilon, sub(one, y));
     about(T, "as small as one likes");
     same(T, sub(epsilon, mul(div(mul(y, epsilon), S), S)), rest);
-    nonnegative(T, rest);
+    G(must_be_positive)(T, rest);
 }
 
 /*
@@ -511,6 +513,7 @@ CLAIM(natural_line_is_regular)
 :zh: 同一条直线的另一参数
 :printed: $x=y=\phi(t)=10t^3-15t^2+6t$ represents the same line (直线) as $x=y=t$.
 :holds-by: cubic_parameter_stays_on_the_segment
+:meant: the beginning $t=0$ (起点) and the end $t=1$ (终点) of the sentences behind it | The line is its segment of $0\le t\le1$.
 :figure: one_line_two_parameters
 :::
 */
@@ -528,7 +531,8 @@ CLAIM(natural_line_is_regular)
   has a zero between; moreover $\phi(1-t)=1-\phi(t)$
 :result: φ(0), φ(1) = 0 1
 :method: Signs of $\phi$ and $1-\phi$ on the interval by root counts; the symmetry as polynomials.
-:scope: 0 ≤ t ≤ 1
+:scope: the stated line
+:where: $0\le t\le1$
 :control: another coefficient of $t$
 :::
 */
@@ -568,7 +572,7 @@ $\phi(1-t)=1-\phi(t)$, and the next claim finds a curiosity: $\phi$ takes each o
 :instead: q = 9
 :then: $\phi'(t)=k\,(w^2-p)$; so $\phi'=0$ exactly for $w=\pm\sqrt p$; at these $\phi(t)=\frac{p-w}q$, the other one of the two
 :method: Identities in $w$: $\phi-\frac{p-w}q=\frac{w(w^2-p)}{q^2}$.
-:scope: the stated curve
+:scope: the stated line
 :over: w: -
 :control: another denominator of $t$
 :::
@@ -640,7 +644,8 @@ CLAIM(point_moves_backward_in_between)
 :then: $\phi'$ is positive at the ends, negative in the middle, and has two roots, both changes of sign, in $(0,1)$
 :result: φ'(t) = 6 -3/2 6; roots, changes of sign = 2 2
 :method: Root counts and values, exactly.
-:scope: 0 ≤ t ≤ 1
+:scope: the stated line
+:where: $0\le t\le1$
 :control: twice the coefficient of $t$
 :::
 */

@@ -22,7 +22,7 @@ step, which makes them as large as the coefficients, and begins the table with t
 :printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have become rather small.
 :holds-by: third_difference_loses_three_bytes
 :meant: the next line, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, which are then
-  of the size of the coefficients | Against the coefficients of the curve the differences are small.
+  of the size of the coefficients | Against the coefficients of the curve these differences are small, the third as well.
 :reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0
 :reading: third_difference_loses_three_bytes | from the third on, against the coefficients: $6A/2^{24}$
 :reading: third_difference_exceeds_the_first | from the third on, against the differences before it
@@ -32,7 +32,7 @@ step, which makes them as large as the coefficients, and begins the table with t
 :::{claim} third_difference_loses_three_bytes
 :title: The size of the differences for the step 1/256
 :zh: 步长 1/256 时各阶差分的大小
-:given: $P(t)=At^3+Bt^2+Ct+D$, $\delta=\frac1n$ with $n=2^m$, any coefficients
+:given: $P(t)=At^3+Bt^2+Ct+D$, $\delta=\frac1n$ with $n=2^m=256$, any coefficients
 :data: n = 256; m = 8
 :instead: n = 128
 :then: $\Delta^3P_0$ is six times $A/2^{3m}$; the difference of order 4 is 0 at every $t$, and so are those of higher order, which are its differences
@@ -202,13 +202,13 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :title: With powers of two the points are computed at high speed
 :zh: 步长为 2 的幂时高速计算
 :printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
-:holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table table_after_any_number_of_steps
-  printed_divided_lines_step_a_cubic
-:confirmed-by: stepping_reaches_the_other_end table_is_whole_in_units_of_the_cube stepping_is_exact_for_short_coefficients
+:holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table printed_divided_lines_step_a_cubic
+  step_takes_differences_to_the_next_place table_after_any_number_of_steps table_is_whole_in_units_of_the_cube
+:confirmed-by: stepping_reaches_the_other_end stepping_is_exact_for_short_coefficients
 :meant: the words before the table, with shifts and additions only, and thereby (从而) at high speed | High speed is: with shifts and additions
   in the place of products.
-:hypothesis: short_words_lose_the_end | the words are long enough; with $3m$ binary places more than the coefficients have they hold every row exactly,
-  `table_is_whole_in_units_of_the_cube`.  Words with 8 places may lose the end.
+:hypothesis: short_words_lose_the_end | the words are long enough: with $3m$ binary places behind the point more than the coefficients have, and room before
+  it, they hold every row exactly, `table_is_whole_in_units_of_the_cube`.  Words with 8 places may lose the end.
 :figure: stepping_and_rounding
 :::
 
@@ -223,7 +223,7 @@ points, and the rows of (1-4-5) only that of their own, small, size.
 :::{claim} table_is_whole_in_units_of_the_cube
 :title: The table of a cubic has 3m binary places more than its coefficients, and needs no more
 :zh: 差分表比系数多 3m 位
-:given: $\delta=\frac1N$, any $N>0$, as $N=2^m$; any coefficients of degree 3
+:given: $\delta=\frac1N$, any $N>0$, such as $N=2^m$; any coefficients of degree 3
 :then: $N^3$ times the four rows are $N^3D$, $A+BN+CN^2$, $6A+2BN$ and $6A$; so where the coefficients are whole in units of $2^{-b}$ the rows are whole in
   units of $2^{-b-3m}$, and remain so, as only sums are formed; the rows of (1-4-4) are these times $1$, $N$, $N^2$ and $N^3$, and so are whole in these
   units, too

@@ -377,12 +377,12 @@ The source's own example, $m=4$, is that of the corrected exponent.
 
 /*
 :::{claim} printed_error_is_twice_the_error
-:title: For m = 4 the printed approximation is nearly twice the error
+:title: For m = 4 the printed approximation is about twice the error
 :zh: 近似式给出两倍的误差
 :kind: counterexample
 :given: the $m$ of the source's example, $s=\sin\frac{\Delta\theta}2=2^{-m-1}$, $c=\cos\frac{\Delta\theta}2$
 :data: m = 4
-:then: in per cent, rounded to one decimal, the printed $2^{-(m+1)}$ is not the printed $E=\frac c{\sqrt{1-s}}-1$, but nearly twice as much
+:then: in per cent, rounded to one decimal, the printed $2^{-(m+1)}$ is not the printed $E=\frac c{\sqrt{1-s}}-1$, but about twice as much
 :result: 2^-(m+1) = "3.1 %"; E = "1.6 %"
 :method: A number is rounded to $k$ tenths of a per cent when it is between the numbers half a tenth below and above, which is decided for
   $E$ after squaring, with $c^2=1-s^2$.
@@ -452,8 +452,8 @@ CLAIM(error_is_half_the_sine)
     num square = G(square_of_the_quotient)(s);
     same(T, G(square_above)(half, square), above);
     same(T, neg(G(square_above)(lower, square)), below);
-    nonnegative(T, above);
-    nonnegative(T, below);
+    G(must_be_positive)(T, above);
+    G(must_be_positive)(T, below);
 }
 
 /*
