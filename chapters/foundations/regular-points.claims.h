@@ -678,7 +678,7 @@ CLAIM(point_moves_forward_back_and_forward)
 :given: $x=y=\phi(t)=t+at(1-t)$ with $-1<a<1$ as $a=1-2q$; any $t$ of $(0,1)$
 :then: $\phi(0)=0$, $\phi(1)=1$, $\phi'(t)=2(1-q)(1-t)+2qt>0$, so that the segment from $(0,0)$ to $(1,1)$ is run through once and never back; and
   $\phi(\frac12)=\frac12+\frac a4$, so that no two of these functions are one
-:method: Values and derivative by the kernel, $q$ and $t$ variables of $(0,1)$, so that both products in the derivative are positive.
+:method: Values and derivative by the kernel, $q$ and $t$ variables of $(0,1)$.
 :scope: one segment, −1 < a < 1
 :over: q t: -
 :control: the sign of $a$ in the derivative
@@ -694,7 +694,7 @@ CLAIM(segment_has_endlessly_many_parameters)
     num p = fault(T, q, sub(one, q));
     about(T, "the derivative");
     same(T, D[1], mul(two, add(mul(sub(one, p), sub(one, t)), mul(p, t))));
-    nonnegative(T, D[1]);
+    G(must_be_positive)(T, D[1]);
     about(T, "the ends and the middle");
     for (int end = 0; end <= 1; end++) {
         G(power_derivatives)(2, 1, c, from_int(end), 1, at_end);
