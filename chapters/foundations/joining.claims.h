@@ -88,8 +88,9 @@ derivative continuous; the three conditions of the source say what this requires
 
 One letter stands for both curves; the condition printed is that of one closed curve.
 
-For polynomials $P_{\mathrm{I}}(1-u)-P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(u)-P_{\mathrm{II}}(0)$ are multiples of $u$, so that the pieces tend to
-$P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(0)$.
+For polynomials $P_{\mathrm{I}}(1-u)-P_{\mathrm{I}}(1)$ is by `quotient_of_a_power_tends_to_its_derivative`, with $t=1$ and $h=-u$, a polynomial in $u$ without
+a constant, and so is $P_{\mathrm{II}}(u)-P_{\mathrm{II}}(0)$.  Both are small near 0 by `polynomial_without_constant_is_small_near_zero`: the pieces tend to
+$P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(0)$, and position is continuous exactly where these are equal.
 :::
 
 :::{claim} pieces_tend_to_their_ends
@@ -596,7 +597,7 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :printed: The curvature $K$ is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
 :refuted-by: equal_curvatures_to_different_sides
 :class: false
-:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The conditions (1-5-2) and (1-5-3), with one $\lambda>0$, are together
+:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The conditions (1-5-2) and (1-5-3), with one $\lambda>0$ and some $\beta$, are together
   necessary and sufficient for continuity of the unit tangent and of the vector of curvature; for plane curves, of the unit tangent and of the
   curvature with its sign.
 :corrected-by: equal_unit_tangents_fix_the_ratio curvature_vector_forces_the_condition condition_keeps_the_curvature_vector

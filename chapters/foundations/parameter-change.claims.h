@@ -271,7 +271,7 @@ CLAIM(piece_beyond_the_curve_is_longer)
 
 ## A rational change of the parameter
 
-A linear change of the parameter leaves the degree alone, and so it leaves nothing to choose once the ends are fixed.
+A linear change of the parameter leaves the degree alone, and nothing to choose once the ends are fixed.
 One number of freedom is gained by a quotient of linear functions (双线性变换): the ends stay, and the points crowd towards
 one of them.  The price is that the curve becomes a rational one, whose weights are products of powers of two numbers.
 

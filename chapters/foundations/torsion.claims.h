@@ -240,8 +240,8 @@ CLAIM(determinant_with_equal_rows_is_zero)
 
 /*
 The last line of the derivation drops an exponent in one of nine entries.  Such a slip can be found by asking what the
-line claims: the determinant of the three derivatives does not depend on $t$, because multiples of the last row taken
-from the others remove $t$ altogether; with the printed entry it does depend on it.
+line claims: the determinant of the three derivatives does not depend on $t$, because multiples of the
+rows below, taken from the second row and then from the first, remove $t$ altogether; with the printed entry it does depend on it.
 
 :::{statement} hu-1987:1-4-torsion-entry
 :title: The determinant with the coefficients inserted
