@@ -300,6 +300,7 @@ three powers of the parameter one by one, so when the determinant vanishes $P(t)
 :zh: 行列式为零则为平面曲线
 :printed: If this is zero, the parametric cubic is a plane curve.
 :holds-by: cubic_is_plane_when_determinant_vanishes
+:meant: the last member of the chain before it, and not its first, in which two rows are equal | It is the determinant of $A$, $B$, $C$.
 :figure: plane_cubics
 :::
 
