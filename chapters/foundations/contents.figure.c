@@ -4,10 +4,9 @@
 
 FIGURE(pages_of_the_sections)
 {
-    svg *s =
-        svg_new("pages_of_the_sections", "The pages of the sections of chapters 1, 2 and 9",
-                "The pages on which the sections begin, in their order.  Section 9-2 is printed behind section 9-3; "
-                "chapter 2 is printed on a page before that of its first section.");
+    svg *s = svg_new("pages_of_the_sections", "The pages of the sections of chapters 1, 2 and 9",
+                     "The pages on which the sections begin, in their order.  For section 9-2 a page behind that of "
+                     "section 9-3 is printed, for chapter 2 a page before that of its first section.");
     num_q P[2 * 19], Q[2 * 7];
     int count = 0;
     for (int c = 0; c < 2; c++)

@@ -179,7 +179,10 @@ coefficients would not notice where the curve is.
 :class: misprint
 :corrected: A=2(Q_0-Q_1)+\dot Q_0+\dot Q_1
 :corrected-by: end_data_determine_the_cubic
+:confirmed-by: positions_for_the_dots_miss_three_coefficients
 :figure: ends_with_lost_letters
+
+With $\dot Q_i$ for the positions everywhere it is wrong, too: `positions_for_the_dots_miss_three_coefficients`.
 :::
 */
 
@@ -228,7 +231,10 @@ CLAIM(dotted_first_coefficient_misses_the_end)
 :class: misprint
 :corrected: B=3(Q_1-Q_0)-2\dot Q_0-\dot Q_1
 :corrected-by: end_data_determine_the_cubic
+:confirmed-by: positions_for_the_dots_miss_three_coefficients
 :figure: ends_with_lost_letters
+
+With $\dot Q_i$ for the positions everywhere it is wrong, too: `positions_for_the_dots_miss_three_coefficients`.
 :::
 
 :::{claim} dotted_second_coefficient_misses_the_end
@@ -315,12 +321,14 @@ and the second curve can be the first one, turned over.
   vectors, but different lengths of these, the shapes of the two curves are different.
 :holds-by: cubic_run_backward_exchanges_the_ends congruent_cubics_have_these_lengths
 :confirmed-by: other_lengths_give_another_cubic
-:argued: | A cubic that is no line is run through once, since 3 and 2 are no products of smaller degrees but with 1.  Two with one arc so are
-  $P_2(t)=P_1(\phi(t))$ with a fractional linear $\phi$, and polynomials leave only $\phi(t)=t$ and $\phi(t)=1-t$, which take ends to ends.  The first makes
-  the lengths equal.  By the second $Q_0=Q_1$, and each tangent is opposite to that of the other end of the first curve, so that one direction at each end makes all
-  parallel.  A motion keeps the lengths, or exchanges the ends.
+:argued: | A cubic that is no line is run through once: otherwise it is a curve of a smaller degree in a polynomial of a degree above 1, and 3 and 2 being
+  prime, that curve is a line.  Two with one arc so are $P_2(t)=P_1(\phi(t))$ with a fractional linear $\phi$, and polynomials leave only $\phi(t)=t$ and
+  $\phi(t)=1-t$, which take ends to ends.  The first makes the lengths equal.  By the second $Q_0=Q_1$, and each tangent is opposite to that of the other end of
+  the first curve, so that one direction at each end makes all parallel.  A motion keeps the lengths, or exchanges the ends.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | The two cubics, each run once, so correspond to each other.
+:meant: the heading of the part, on the forms of parametric cubics | Both curves are parametric cubics, and the lengths are not the same at one end
+  at least.
 :hypothesis: tangents_along_the_chord_keep_the_segment | $Q_1-Q_0$, $\dot Q_0$ and $\dot Q_1$ are not all parallel: if they are, the curve
   can be one segment for different lengths.
 :hypothesis: exchanged_lengths_turn_the_cubic | the lengths of one curve are not those of the other with the ends exchanged:
@@ -335,10 +343,10 @@ If the shape is the set of the points, where it is, the first hypothesis is enou
 :title: The cubic of other lengths leaves the first cubic
 :zh: 切矢长度不同的三次曲线不重合
 :types: rational
-:given: random ends and directions that are not all parallel, two different pairs of lengths, one of them or both different, longer or shorter
-:where: the ends and directions are not all parallel; the two pairs of lengths are different
+:given: random ends and directions in the plane that are not all parallel, two different pairs of lengths, one of them or both different, longer or shorter
+:where: the ends and directions are in one plane and not all parallel; the two pairs of lengths are different
 :then: the second curve does not satisfy the implicit equation of the first
-:method: The equation by Bézout's determinant, at ten points of the second curve, at one of which it is not satisfied.
+:method: The equation by Bézout's determinant, at ten points of the second curve, at one of which at least it is not satisfied.
 :control: the lengths equal
 :::
 */

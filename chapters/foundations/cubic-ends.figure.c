@@ -6,7 +6,7 @@ FIGURE(lengths_of_the_tangents)
     svg *s = svg_new("lengths_of_the_tangents", "The lengths of the tangents change the shape",
                      "Cubics with the same ends and the same directions of the tangents, and with tangents of five "
                      "lengths; the parabola "
-                     "is one of them.  The tangents of the longest are drawn.");
+                     "is one of them.  The triangle of the ends and the directions is drawn.");
     svg_panel(s, window(r(-1, 5), r(-1, 10), r(6, 5), r(9, 10)), 480, 0, "$\\α=\\β=1/2, 1, 3/2, 2, 3$");
     for (int k = 0; k < 5; k++) {
         static const int halves[5] = {1, 2, 3, 4, 6};

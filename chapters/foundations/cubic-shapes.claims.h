@@ -366,9 +366,9 @@ CLAIM(signs_decide_the_form)
                         mul(y, add(y, mul(x, sub(mul(two, x), three))))};
         num middle = mul(mul(x, y), add(sub(mul(two, mul(x, y)), mul(three, add(x, y))), four));
         if (at_the_loop) {
-            nonnegative(T, outer[0]);
-            nonnegative(T, middle);
-            nonnegative(T, outer[1]);
+            G(must_be_positive)(T, outer[0]);
+            G(must_be_positive)(T, middle);
+            G(must_be_positive)(T, outer[1]);
         } else {
             /* g_0 = α (α + 2β² - 3β) w²,   g_1 = -αβ (2αβ - 3α - 3β + 4) w²,   g_2 = β (β + 2α² - 3α) w² */
             same(T, e[0], mul(outer[0], ww));

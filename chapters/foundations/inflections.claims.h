@@ -128,6 +128,7 @@ CLAIM(curvature_divides_by_zero_at_a_cusp)
   over it is missing.
 :reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc
 :reading: curvature_by_the_vector_product | $s=|\dot P|$ is the speed, at points with $\dot P\ne0$, which the text at hand does not say
+:reading-with: curvature_belongs_to_arc_length
 :hypothesis: curvature_divides_by_zero_at_a_cusp | $\dot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: curvature_and_the_speed
 :::
@@ -231,7 +232,7 @@ and stay on one side of its tangent, as $(t,t^4)$ at $t=0$.
 :title: At an inflection the second derivative is parallel to the first
 :zh: 拐点处二阶导矢平行于切矢
 :printed: An inflection is a point with $\dot P\times\ddot P=0$; points with $\dot P=0$ not considered, $\ddot P=g\dot P$ with a scalar $g$.
-:holds-by: curvature_by_the_vector_product second_derivative_splits_along_the_first
+:holds-by: curvature_belongs_to_arc_length curvature_by_the_vector_product second_derivative_splits_along_the_first
 :needs: cusp_has_no_such_factor | the sentence itself, which leaves out the points with $\dot P=0$ | $\dot P\ne0$: where
   $\dot P=0\ne\ddot P$ there is no $g$.
 :figure: forms_of_a_cubic

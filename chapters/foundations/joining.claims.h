@@ -25,8 +25,9 @@ enum { dim = 2, space = 3 };
 :corrected: Let $\dot P_{\mathrm I}(1)\ne0$.  Position and slope are continuous when (1-5-1) and (1-5-2) hold with some $\lambda>0$, and so is the
   vector of curvature when (1-5-3) holds as well: at the joint the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
 :corrected-by: conditions_make_one_curve_in_another_parameter equal_unit_tangents_fix_the_ratio condition_keeps_the_curvature_vector
-:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; where all vectors in them are 0 the
-  conditions hold at a corner.
+  curvature_vector_is_the_turning_of_the_tangent
+:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; where all vectors in the three conditions are 0
+  they hold at a corner.
 :meant: the definition of $C^r$ in section 1-4 of the same book | $C^0$, $C^1$, $C^2$ say of the derivatives what they say there.
 :reading: continuous_slope_with_another_speed | $C^r$ is what section 1-4 defines
 :reading: $C^0$, $C^1$, $C^2$ are here no more than names of the three properties, by the word "called" (称为): a choice of words, of which nothing is to be
@@ -87,8 +88,9 @@ derivative continuous; the three conditions of the source say what this requires
 
 One letter stands for both curves; the condition printed is that of one closed curve.
 
-For polynomials $P_{\mathrm{I}}(1-u)-P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(u)-P_{\mathrm{II}}(0)$ are multiples of $u$, so that the pieces tend to
-$P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(0)$.
+For polynomials $P_{\mathrm{I}}(1-u)-P_{\mathrm{I}}(1)$ is by `quotient_of_a_power_tends_to_its_derivative`, with $t=1$ and $h=-u$, a polynomial in $u$ without
+a constant, and so is $P_{\mathrm{II}}(u)-P_{\mathrm{II}}(0)$.  Both are small near 0 by `polynomial_without_constant_is_small_near_zero`: the pieces tend to
+$P_{\mathrm{I}}(1)$ and $P_{\mathrm{II}}(0)$, and position is continuous exactly where these are equal.
 :::
 
 :::{claim} pieces_tend_to_their_ends
@@ -166,8 +168,8 @@ CLAIM(joined_pieces_are_not_closed)
   $\lambda^2P''+\beta P'$ and any third derivative
 :where: $\lambda>0$
 :then: $S(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $S(0)=P$, $S'(0)=P'$, $S''(0)=P''$
-:method: $S$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its first coefficients are compared, everything a
-  variable.
+:method: $S$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its derivatives at 0 are compared, everything a
+  variable.  A further term of $P_{\mathrm{II}}$ has the factor $\phi^3$, so $u^3$, and changes none of them.
 :types: field
 :over: p#: points; v# w# z#: derivatives; l: λ; b: β; u
 :control: $\phi(u)=\frac u\lambda$
@@ -315,7 +317,7 @@ curvature that grows without bound.
 :zh: 曲率连续的充分条件
 :printed: Condition for a continuous curvature (曲率连续条件), after those for position and slope: $\ddot P_x(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm
   I}(1)+\beta\dot P_{\mathrm I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$
-:holds-by: condition_keeps_the_curvature_vector
+:holds-by: condition_keeps_the_curvature_vector curvature_vector_is_the_turning_of_the_tangent
 :needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
   for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
 :needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
@@ -330,7 +332,7 @@ Decided is that the condition suffices.
 :title: The factor of the tangent is free
 :zh: β 为任意标量
 :printed: $\beta$ is an arbitrary scalar.
-:holds-by: condition_keeps_the_curvature_vector
+:holds-by: condition_keeps_the_curvature_vector curvature_vector_is_the_turning_of_the_tangent
 :needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
   for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
 :needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
@@ -379,6 +381,58 @@ CLAIM(condition_keeps_the_curvature_vector)
         same(T, p[j], mul(G(power)(lambda, 3), n[j]));
     }
     same(T, G(curvature_squared)(space, e1, e2), G(curvature_squared)(space, d1, d2));
+}
+
+/*
+:::{claim} curvature_vector_is_the_turning_of_the_tangent
+:title: The vector of curvature is the derivative of the unit tangent by the arc length
+:zh: 曲率矢量是单位切矢对弧长的导数
+:given: $\dot P=\alpha U$, with a unit vector $U$ of space and $\alpha>0$, both functions of the parameter; so $\ddot P=\dot\alpha\,U+\alpha\,\dot U$
+:where: $\dot P\ne0$
+:harmless: $\alpha>0$ | the length of a derivative that is not 0
+:then: $\frac{(\dot P\times\ddot P)\times\dot P}{|\dot P|^4}=\frac1\alpha\,\dot U$, and the square of its length is $K^2$
+:method: $U=\frac Nw$ with $N=(2(ac+bd),\,2(bc-ad),\,a^2+b^2-c^2-d^2)$ and $w=a^2+b^2+c^2+d^2$, which is every unit vector, differentiated as a quotient;
+  $a,b,c,d$, their derivatives, $\alpha$ and $\dot\alpha$ are variables.
+:over: q# r# a#: derivatives
+:control: $\frac1{\alpha^2}\,\dot U$
+:::
+*/
+/* N and w of a unit vector N/w, as symmetric forms in q and r: their values for r = q, and half their derivatives for r = q'. */
+static void G(sphere_forms)(const num q[4], const num r[4], num form[4])
+{
+    num first = add(mul(q[0], r[0]), mul(q[1], r[1])), last = add(mul(q[2], r[2]), mul(q[3], r[3]));
+    form[0] = add(add(mul(q[0], r[2]), mul(q[2], r[0])), add(mul(q[1], r[3]), mul(q[3], r[1])));
+    form[1] = sub(add(mul(q[1], r[2]), mul(q[2], r[1])), add(mul(q[0], r[3]), mul(q[3], r[0])));
+    form[2] = sub(first, last);
+    form[3] = add(first, last);
+}
+
+CLAIM(curvature_vector_is_the_turning_of_the_tangent)
+{
+    num q[4], r[4], N[4], half[4], d1[space], d2[space], turn[space], k[space];
+    num speed = positive(T, "a", 0), change = unknown(T, "a", 1), two = from_int(2);
+    for (int j = 0; j < 4; j++) {
+        q[j] = unknown(T, "q", j);
+        r[j] = unknown(T, "r", j);
+    }
+    G(sphere_forms)(q, q, N);
+    G(sphere_forms)(q, r, half);
+    num w = N[3], one = from_int(0);
+    for (int j = 0; j < space; j++) {
+        num U = div(N[j], w), slope = div(mul(two, sub(half[j], mul(U, half[3]))), w);
+        one = add(one, mul(U, U));
+        d1[j] = mul(speed, U);
+        d2[j] = add(mul(change, U), mul(speed, slope));
+        turn[j] = div(slope, fault(T, speed, mul(speed, speed)));
+    }
+    about(T, "the length of the unit tangent");
+    same(T, one, from_int(1));
+    G(curvature_vector)(d1, d2, k);
+    about(T, "the vector of curvature");
+    for (int j = 0; j < space; j++)
+        same(T, k[j], turn[j]);
+    about(T, "the square of its length");
+    same(T, G(norm_squared)(space, k), G(curvature_squared)(space, d1, d2));
 }
 
 #if RATIONAL
@@ -543,18 +597,22 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :printed: The curvature $K$ is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
 :refuted-by: equal_curvatures_to_different_sides
 :class: false
-:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The conditions (1-5-2) and (1-5-3), with one $\lambda>0$, are together
+:corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The conditions (1-5-2) and (1-5-3), with one $\lambda>0$ and some $\beta$, are together
   necessary and sufficient for continuity of the unit tangent and of the vector of curvature; for plane curves, of the unit tangent and of the
   curvature with its sign.
 :corrected-by: equal_unit_tangents_fix_the_ratio curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
-  second_derivative_splits_along_the_first signed_curvature_is_that_of_the_vector
+  second_derivative_splits_along_the_first curvature_vector_is_the_turning_of_the_tangent signed_curvature_is_that_of_the_vector
+:confirmed-by: signed_curvature_is_the_turning_of_the_tangent
 :needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector: without it the condition does not suffice.
 :meant: the formula of section 1-4, by which the curvature is a number without a sign | The curvature is $K$.
 :reading: equal_curvatures_to_different_sides | the curvature is $K$
 :reading: curvature_vector_forces_the_condition | it is the vector of curvature
+:reading-with: equal_unit_tangents_fix_the_ratio second_derivative_splits_along_the_first curvature_vector_is_the_turning_of_the_tangent
 :reading: signed_curvature_is_that_of_the_vector | in the plane it is the curvature with its sign, which with one unit tangent is continuous exactly where the vector is,
   so that this is reading 2
+:reading-with: equal_unit_tangents_fix_the_ratio curvature_vector_forces_the_condition second_derivative_splits_along_the_first
+  curvature_vector_is_the_turning_of_the_tangent
 :needs: negative_ratio_turns_back | (1-5-2), where $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient of lengths.
 :figure: same_curvature_other_side
 :striking: 43

@@ -27,9 +27,10 @@ enum { dim = 2, space = 3 };
 :zh: 线性参数变换
 :given: any $t_0$ and $t_1$, any $u$; and an interval, $t_1=t_0+h$, $h>0$
 :then: $(1-u)t_0+ut_1=t_0+(t_1-t_0)u$, which is $t_0$ for $u=0$ and $t_1$ for $u=1$; of two values of $u$ the larger one gives the larger value
-  where $t_0<t_1$, so that $0\le u\le1$ is taken to $t_0\le t\le t_1$, each value once
-:method: Identities with everything a variable; the difference of two values is $h$ times that of the parameters, with $h>0$.
-:over: r s u: parameter value; d h: -
+  where $t_0<t_1$, and $t_0\le t\le t_1$ is the value at $u=\frac{t-t_0}{t_1-t_0}$, which is in $[0,1]$: so $0\le u\le1$ is taken to $t_0\le t\le t_1$, each value once
+:method: Identities with everything a variable; the difference of two values is $h$ times that of the parameters, with $h>0$; $t$ is so written that it divides the
+  interval into two parts of any lengths.
+:over: r s u: parameter value; d h e#: -
 :control: $t_0$ and $t_1$ exchanged in the first form
 :::
 */
@@ -45,8 +46,14 @@ CLAIM(linear_change_runs_through_the_interval)
     num h = positive(T, "h", 0), later = positive(T, "d", 0),
         gap = sub(add(t0, mul(h, add(u, later))), add(t0, mul(h, u)));
     about(T, "the order");
-    nonnegative(T, gap);
+    G(must_be_positive)(T, gap);
     same(T, gap, mul(h, later));
+    num before = positive(T, "e", 0), after = positive(T, "e", 1), length = add(before, after), t = add(t0, before);
+    num place = div(sub(t, t0), length);
+    about(T, "the parameter of a value");
+    same(T, add(t0, mul(length, place)), t);
+    nonnegative(T, place);
+    nonnegative(T, sub(one, place));
 }
 
 /*
@@ -175,8 +182,8 @@ CLAIM(derivatives_of_a_piece)
 :holds-by: length_of_a_piece_is_at_most_one
 :needs: backward_piece_has_negative_length | the words above (1-5-4), the piece from $t_0$ to $t_1$ | $0\le t_0\le t_1\le1$; without $t_0\le t_1$ the piece is
   taken backward.
-:needs: piece_beyond_the_curve_is_longer | the words above (1-5-4), a curve with $t\in[0,1]$ | $0\le t_0\le t_1\le1$; without $t_1\le1$ the piece is no piece of the
-  curve.
+:needs: piece_beyond_the_curve_is_longer | the words above (1-5-4), a curve with $t\in[0,1]$ | $0\le t_0\le t_1\le1$; without $t_1\le1$ or $0\le t_0$ the piece is no
+  piece of the curve.
 :figure: piece_of_a_cubic
 :::
 
@@ -227,24 +234,28 @@ CLAIM(backward_piece_has_negative_length)
 
 /*
 :::{claim} piece_beyond_the_curve_is_longer
-:title: What goes on beyond the end of the curve may be longer than 1
+:title: What goes on beyond an end of the curve may be longer than 1
 :zh: 超出参数区间的一段
 :kind: counterexample
-:given: two parameters, $t_0$ of $[0,1]$ and $t_1>t_0$
-:data: t_0 = 1/4; t_1 = 3/2
-:instead: t_1 = 1
-:then: $t_1-t_0$ is more than 1
-:result: t_1 - t_0 = 5/4
-:method: The number, exactly.
-:control: $t_1$ at the end of the curve
+:given: two pairs of parameters $t_0<t_1$: $t_0$ of $[0,1]$ and $t_1$ not, and $t_1$ of $[0,1]$ and $t_0$ not
+:data: t_0 = 1/4 -1/2; t_1 = 3/2 3/4
+:instead: t_0 = 1/4 0; t_1 = 1 3/4
+:then: $t_1-t_0$ is more than 1 for both
+:result: t_1 - t_0 = 5/4 5/4
+:method: The numbers, exactly; that one of them is at most 1 is refuted.
+:control: the parameters that are not of $[0,1]$ moved to the end of the curve
 :::
 */
 CLAIM(piece_beyond_the_curve_is_longer)
 {
-    num t0 = given(T, "t_0"), t1 = given(T, "t_1"), length = sub(t1, t0);
-    found(T, "t_1 - t_0", length);
-    about(T, "1 - (t_1 - t_0), which should not be negative");
-    nonnegative(T, sub(from_int(1), length));
+    num t0[2], t1[2], length[2];
+    given_points(T, "t_0", 2, 1, t0);
+    given_points(T, "t_1", 2, 1, t1);
+    for (int k = 0; k < 2; k++)
+        length[k] = sub(t1[k], t0[k]);
+    found_points(T, "t_1 - t_0", 2, 1, length);
+    about(T, "whether one of the two differences is at most 1");
+    refute(T, compare_q(length[0], from_int(1)) > 0 && compare_q(length[1], from_int(1)) > 0);
 }
 #endif
 
@@ -260,7 +271,7 @@ CLAIM(piece_beyond_the_curve_is_longer)
 
 ## A rational change of the parameter
 
-A linear change of the parameter leaves the degree alone, and so it leaves nothing to choose once the ends are fixed.
+A linear change of the parameter leaves the degree alone, and nothing to choose once the ends are fixed.
 One number of freedom is gained by a quotient of linear functions (双线性变换): the ends stay, and the points crowd towards
 one of them.  The price is that the curve becomes a rational one, whose weights are products of powers of two numbers.
 
@@ -275,7 +286,7 @@ one of them.  The price is that the curve becomes a rational one, whose weights 
 :hypothesis: fractional_change_with_a_pole | the denominator has no zero on the interval.
 :figure: fractional_parameter
 
-The text that is at hand ends before the formula.
+The text that is at hand ends before the formula, beside which the hypothesis may stand.
 :::
 
 :::{claim} fractional_linear_change_makes_a_rational_curve

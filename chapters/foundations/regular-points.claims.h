@@ -699,7 +699,7 @@ CLAIM(segment_has_endlessly_many_parameters)
     num p = fault(T, q, sub(one, q));
     about(T, "the derivative");
     same(T, D[1], mul(two, add(mul(sub(one, p), sub(one, t)), mul(p, t))));
-    nonnegative(T, D[1]);
+    G(must_be_positive)(T, D[1]);
     about(T, "the ends and the middle");
     for (int end = 0; end <= 1; end++) {
         G(power_derivatives)(2, 1, c, from_int(end), 1, at_end);

@@ -240,8 +240,8 @@ CLAIM(determinant_with_equal_rows_is_zero)
 
 /*
 The last line of the derivation drops an exponent in one of nine entries.  Such a slip can be found by asking what the
-line claims: the determinant of the three derivatives does not depend on $t$, because multiples of the last row taken
-from the others remove $t$ altogether; with the printed entry it does depend on it.
+line claims: the determinant of the three derivatives does not depend on $t$, because multiples of the
+rows below, taken from the second row and then from the first, remove $t$ altogether; with the printed entry it does depend on it.
 
 :::{statement} hu-1987:1-4-torsion-entry
 :title: The determinant with the coefficients inserted
@@ -300,6 +300,7 @@ three powers of the parameter one by one, so when the determinant vanishes $P(t)
 :zh: 行列式为零则为平面曲线
 :printed: If this is zero, the parametric cubic is a plane curve.
 :holds-by: cubic_is_plane_when_determinant_vanishes
+:meant: the last member of the chain before it, and not its first, in which two rows are equal | It is the determinant of $A$, $B$, $C$.
 :figure: plane_cubics
 :::
 
