@@ -64,7 +64,7 @@ For $n=3$ the edges may be coplanar, when at both ends three points are not coll
 curve has the degree 2 or 3, and a degree of at most 3 that is a multiple of it is equal to it.  So both curves are proper, by
 `plane_cubic_cannot_run_backwards` they have one direction, and the curvatures at the two ends give $I_1$ and $I_2$.
 
-For $n=4$ three edges that are not coplanar at one end are enough, when at both ends three points are not collinear: with them $T$ is in no plane and the direction is known as above, from that end; the curvatures give
+For $n=4$ three edges that are not coplanar at one end are enough, when at both ends three points are not collinear: with them $T$ is in no plane and they have one direction by step (2), which asks for independent edges at one end; the curvatures give
 $I_1$ and $I_3$, and the torsion at that end gives $I_2$.
 :::
 */
