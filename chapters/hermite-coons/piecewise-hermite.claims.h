@@ -329,6 +329,9 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :confirmed-by: one_choice_of_signs_in_the_matrix
 :needs: equal_ends_have_no_cubic | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
   interval
+:meant: the line below the formula, which begins with "where" (其中) | $P_i'$ and $P_{i+1}'$ are the derivatives times $t_{i+1}-t_i$.
+:reading: unit_blending_functions | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as in the line below
+:reading: tangent_over_the_unit_interval_is_scaled | $P_i'=f'(t_i)$, as for the piece over its own interval
 :figure: one_tangent_two_lengths
 
 In the text at hand the formula has no signs and no primes; with those shown here it is true.
@@ -351,6 +354,31 @@ over all $P_ia_{i,0}+P_i'a_{i,1}$, for $f'(t_i)$ itself.
 */
 
 #if RATIONAL
+/*
+:::{claim} tangent_over_the_unit_interval_is_scaled
+:title: Over the unit interval the derivative by t itself makes another curve
+:zh: 单位区间上须用缩放的切向量
+:kind: counterexample
+:data: t = 0 2; f'(t_0) = 1
+:instead: t = 0 1
+:result: dP/dt at t_0 = 1/2
+:given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; the piece over the unit interval with $P_0'=f'(t_0)$
+:then: at $t_0$ it has another derivative with respect to $t$ than $f'(t_0)$
+:method: The kernel over the unit interval, its derivative divided by the length.
+:control: an interval of length 1
+:::
+*/
+CLAIM(tangent_over_the_unit_interval_is_scaled)
+{
+    num t[2], zero = from_int(0), one = from_int(1), slope = given(T, "f'(t_0)"), out[2];
+    given_points(T, "t", 2, 1, t);
+    hermite_cubic_q(1, zero, one, (num[]){zero, zero, slope, zero}, zero, 1, out);
+    num derivative = div(out[1], sub(t[1], t[0]));
+    found(T, "dP/dt at t_0", derivative);
+    about(T, "the derivative at t_0, and f'(t_0)");
+    same(T, derivative, slope);
+}
+
 /*
 :::{claim} one_scaled_tangent_for_two_pieces_makes_a_jump
 :title: With the scaled tangent of the piece before, the derivative jumps
