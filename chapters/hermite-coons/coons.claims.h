@@ -2,7 +2,7 @@
 # A surface in a frame of curves (Coons 曲面)
 
 Two opposite curves are joined by a ruled surface; so are the two others.  The sum of both surfaces has too much at every
-border, and what it has too much is the bilinear surface of the corners.  Taken away, it leaves a surface with the four
+border, and what it has too much is the surface of the four corners.  Taken away, it leaves a surface with the four
 curves as its borders: a Boolean sum (布尔和).  The same is done with curves and derivatives across them.
 */
 #include "chapters/hermite-coons/definition.h"

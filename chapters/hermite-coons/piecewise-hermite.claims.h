@@ -102,7 +102,7 @@ CLAIM(base_functions_interpolate_once_continuously)
 }
 
 /*
-The sum has $2n+2$ terms, but at each $t$ only four of them are not 0.  This is true on intervals that lie one after the other: the nodes
+The sum has $2n+2$ terms, but at each $t$ at most four of them are not 0.  This is true on intervals that lie one after the other: the nodes
 must not only differ but increase.
 
 :::{statement} slides-ch4:2-piecewise
@@ -116,6 +116,9 @@ must not only differ but increase.
 :needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :figure: nodes_that_meet
+
+The slides call $P$ an interpolating polynomial, and say that it is defined piece by piece.  A polynomial it is on each interval; over two of them it
+need not be one, for its second derivative may jump, `pieces_need_not_have_one_curvature`.
 :::
 */
 
