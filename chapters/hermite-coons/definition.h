@@ -91,6 +91,17 @@ static inline int G(printed_matrix)(int i, int j)
     return H[i][j];
 }
 
+static inline void G(different_nodes)(trial *T, int d, num tau[])
+{
+    tau[0] = unknown(T, "t", 0);
+    for (int i = 1; i < d; i++)
+#if FIELD
+        tau[i] = unknown(T, "t", i);
+#else
+        tau[i] = add(tau[i - 1], positive(T, "h", i));
+#endif
+}
+
 /* t0, and t1 greater than it. */
 static inline void G(interval)(trial *T, num *t0, num *t1)
 {

@@ -37,17 +37,6 @@ serves for existence and uniqueness, the system being square.
 :::
 */
 
-static void G(different_nodes)(trial *T, int d, num tau[])
-{
-    tau[0] = unknown(T, "t", 0);
-    for (int i = 1; i < d; i++)
-#if FIELD
-        tau[i] = unknown(T, "t", i);
-#else
-        tau[i] = add(tau[i - 1], positive(T, "h", i));
-#endif
-}
-
 /*
 :::{claim} hermite_interpolant_exists_and_is_unique
 :title: Values and derivatives at different nodes determine one polynomial
@@ -330,8 +319,18 @@ static const struct G(monomial) G(printed_sum)[4][10] = {
     {{1, 2, 0, 1}, {-1, 2, 1, 0}, {1, 3, 0, 1}, {-1, 3, 1, 0}, {2, 0, 0, 0}, {-2, 1, 0, 0}},
 };
 
-/* The cubic with these coefficients.  Monomial m of a_2 has the other sign where bit m of `turned` is 1, the first the datum `which`. */
-static struct G(poly) G(cubic_of_sums)(num t0, num t1, const num data[4], int turned, int which)
+static num G(value_of)(struct G(monomial) term, num t0, num t1, const num data[4])
+{
+    num value = mul(from_int(term.factor), data[term.datum]);
+    for (int i = 0; i < term.p0; i++)
+        value = mul(value, t0);
+    for (int i = 0; i < term.p1; i++)
+        value = mul(value, t1);
+    return value;
+}
+
+/* The cubic with these coefficients.  The first monomial of a_2 is multiplied by sign. */
+static struct G(poly) G(cubic_of_sums)(num t0, num t1, const num data[4], int sign)
 {
     struct G(poly) p = {.n = 3};
     num length = sub(t1, t0), cube = mul(length, mul(length, length));
@@ -339,14 +338,8 @@ static struct G(poly) G(cubic_of_sums)(num t0, num t1, const num data[4], int tu
         num sum = from_int(0);
         for (int m = 0; m < 10; m++) {
             struct G(monomial) term = G(printed_sum)[k][m];
-            if (k == 2)
-                term.factor *= turned >> m & 1 ? -1 : 1, term.datum = m == 0 ? which : term.datum;
-            num value = mul(from_int(term.factor), data[term.datum]);
-            for (int i = 0; i < term.p0; i++)
-                value = mul(value, t0);
-            for (int i = 0; i < term.p1; i++)
-                value = mul(value, t1);
-            sum = add(sum, value);
+            term.factor *= k == 2 && m == 0 ? sign : 1;
+            sum = add(sum, G(value_of)(term, t0, t1, data));
         }
         p.c[k] = div(sum, cube);
     }
@@ -369,7 +362,7 @@ CLAIM(cubic_coefficients_by_monomials)
     num t0, t1, data[4];
     G(interval)(T, &t0, &t1);
     G(four_data)(T, data);
-    G(osculates)(T, G(cubic_of_sums)(t0, t1, data, fault(T, 0, 1), 2), t0, t1, data);
+    G(osculates)(T, G(cubic_of_sums)(t0, t1, data, fault(T, 1, -1)), t0, t1, data);
 }
 
 /*
@@ -411,10 +404,19 @@ CLAIM(square_needs_the_prime)
     given_points(T, "t", 2, 1, t);
     given_points(T, "f", 2, 1, data);
     given_points(T, "f'", 2, 1, data + 2);
+    struct G(poly) p = G(cubic_of_sums)(t[0], t[1], data, 1); /* and with 0 for a_2 its value at t_1 is `rest` */
+    num length = sub(t[1], t[0]), cube = mul(length, mul(length, length)), square = mul(t[1], t[1]), value[10];
+    num rest = sub(G(at)(p, 0, t[1]), mul(p.c[2], square));
+    for (int m = 0; m < 10; m++) {
+        struct G(monomial) term = G(printed_sum)[2][m];
+        term.datum = m == 0 ? fault(T, 2, 0) : term.datum;
+        value[m] = div(mul(square, G(value_of)(term, t[0], t[1], data)), cube);
+    }
     int hits = 0;
-    for (int turned = 0; turned < 1 << 10; turned++) {
-        struct G(poly) p = G(cubic_of_sums)(t[0], t[1], data, turned, fault(T, 2, 0));
-        num end = G(at)(p, 0, t[1]);
+    for (int turned = 0; turned < 1 << 10; turned++) { /* term m has the other sign where bit m is 1 */
+        num end = rest;
+        for (int m = 0; m < 10; m++)
+            end = add(end, turned >> m & 1 ? neg(value[m]) : value[m]);
         if (turned < 2)
             found(T, turned == 0 ? "P(t_1) with -2f(t_0)" : "P(t_1) with +2f(t_0)", end);
         hits += equal_q(end, data[1]);

@@ -266,7 +266,8 @@ CLAIM(pieces_turn_where_a_derivative_vanishes)
     found_points(T, "P'(t_1-h)", 1, 2, before + 2);
     found_points(T, "P'(t_1+h)", 1, 2, after + 2);
     poly product = poly_constant(from_int(0));
-    for (int c = 0; c < 2; c++) { /* intervals of length 1: P_0 + m_0 x + (3 d - 2 m_0 - m_1) x^2 + (m_0 + m_1 - 2 d) x^3 */
+    for (int c = 0; c < 2;
+         c++) { /* intervals of length 1: P_0 + m_0 x + (3 d - 2 m_0 - m_1) x^2 + (m_0 + m_1 - 2 d) x^3 */
         poly piece[2];
         for (int k = 0; k < 2; k++) {
             num d = sub(P[2 * k + 2 + c], P[2 * k + c]), m0 = slope[2 * k + c], m1 = slope[2 * k + 2 + c];
