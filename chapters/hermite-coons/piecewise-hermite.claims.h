@@ -157,14 +157,39 @@ CLAIM(overlapping_intervals_miss_the_data)
 :holds-by: base_functions_interpolate_once_continuously
 :argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
-:meant: the factor $t_{i+1}-t_i$ in the same line | $P_i'=f'(t_i)$.
-:reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$
+:meant: the factor $t_{i+1}-t_i$ in the same line, and the sum before it, to which it is equal | $P_i'=f'(t_i)$, and the factor belongs to both derivatives.
+:reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$, and the factor belongs to both derivatives
+:reading: factor_beside_the_second_derivative_loses_the_first | $P_i'=f'(t_i)$, and the factor belongs to the second derivative alone, the sum having no bracket
 :reading: scaled_tangent_is_not_scaled_again | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as for the piece over the unit interval
 :figure: piecewise_base_functions
 
-In the text at hand the formula has no bracket; it is read so that the one factor at the end belongs to both derivatives.
+In the text at hand, which keeps no square brackets, the formula has none.
 :::
 
+:::{claim} factor_beside_the_second_derivative_loses_the_first
+:title: If only the second derivative is multiplied by the length the first one is lost
+:zh: 区间长度须同乘两个导数
+:kind: counterexample
+:data: t = 0 2; f'(t_0) = 1
+:instead: t = 0 1
+:result: derivative at t_0 = 1/2
+:given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; $P_0'=f'(t_0)$
+:then: $P_0'h_{0,0}(t)$, without a factor, has at $t_0$ another derivative than $f'(t_0)$
+:method: The printed function, multiplied out and differentiated.
+:control: an interval of length 1
+:::
+*/
+CLAIM(factor_beside_the_second_derivative_loses_the_first)
+{
+    num t[2];
+    given_points(T, "t", 2, 1, t);
+    num slope = given(T, "f'(t_0)"), derivative = mul(slope, G(at)(G(printed_blending)(t[0], t[1], 2), 1, t[0]));
+    found(T, "derivative at t_0", derivative);
+    about(T, "the derivative at t_0, and f'(t_0)");
+    same(T, derivative, slope);
+}
+
+/*
 :::{claim} scaled_tangent_is_not_scaled_again
 :title: A tangent that contains the length must not be multiplied by it again
 :zh: 切向量不可重复缩放
