@@ -54,7 +54,7 @@ by limits of $f',\dots,f^{(k)}$ from either side it does not even say that $f$ i
 :given: $f(0)=0$, $f(-x)=f(x)$, and on $[\frac1{n+1},\frac1n]$, for every $n\ge1$, the Hermite cubic with the values 0 and the slopes
   $(-1)^{n+1}s$ and $(-1)^ns$ at its ends, where $s$ is the given slope; one even $n$, and a bound
 :then: $f'(0)=0$ from both sides, as $\frac{f(x)}x$ tends to 0 with $x$; and for the given even $n$ the derivative $f'(\frac1n)$ is not near $f'(0)$
-:method: With $h=\frac1{n(n+1)}$ the inner Bézier ordinates of a piece have the size $d$, a third of $h$, hence $|f|\le d$ and
+:method: With $h=\frac1{n(n+1)}$ and $s\le1$ the inner Bézier ordinates of a piece have at most the size $d$, a third of $h$, hence $|f|\le d$ and
   $\bigl|\frac{f(x)}x\bigr|\le d\,(n+1)$, a third of $\frac1n$, which tends to 0.  Computed for one even $n$: the bound of the quotient,
   and the derivative at $\frac1n$; that it differs from $f'(0)=0$ by no more than the given bound is refuted.
 :control: slopes of the size $\frac1n$
@@ -335,6 +335,7 @@ static struct G(poly) G(composed)(struct G(poly) p, num lambda, num beta)
 :then: $u\,p+c$ and $\phi\,q+c$ have one value at $u=0$ again, and derivatives there with the factor $\lambda$
 :method: A value and its derivative are one number $v+v'\epsilon$ with $\epsilon^2=0$.  A polynomial is built by such steps from its highest coefficient on, so that
   $q=p\circ\phi$ in the end: by induction $q(0)=p(\phi(0))=p(0)$ for every degree, and the derivative is kept only for $\lambda=1$ or where it is 0.
+  In the values no derivative occurs, so that $\phi$ need not have one.
 :degrees: all
 :scope: polynomial curves; every change of the parameter
 :over: p# c#: coefficients; l: -
@@ -447,7 +448,8 @@ part along the tangent may be added.  Each of the four readings of the printed s
 
 The counterexamples are to four readings: two factors without relation; one factor for both; the factor of the second derivative the square of that of the
 first, which is sufficient and not necessary; and derivatives by the arc length, where the first are equal and the second
-proportional.  None is what the definition by arc length says.
+proportional: the factor may be negative, or, as in the first example, whose derivatives are those by the arc length, positive and not 1.  None is what
+the definition by arc length says.
 :::
 */
 

@@ -2,7 +2,7 @@
 # A surface in a frame of curves (Coons 曲面)
 
 Two opposite curves are joined by a ruled surface; so are the two others.  The sum of both surfaces has too much at every
-border, and what it has too much is the bilinear surface of the corners.  Taken away, it leaves a surface with the four
+border, and what it has too much is the surface of the four corners.  Taken away, it leaves a surface with the four
 curves as its borders: a Boolean sum (布尔和).  The same is done with curves and derivatives across them.
 */
 #include "chapters/hermite-coons/definition.h"
@@ -255,14 +255,16 @@ CLAIM(linear_interpolation_runs_along_straight_lines)
 :zh: 叠加曲面 Ps 的位移
 :printed: For any point of $P_s=P_1+P_2$ one part of the displacement is due to the linear interpolation and one to the border curves; to remove
   the former a new surface $P_3$ is built.
-:holds-by: sum_of_ruled_surfaces_has_too_much
+:holds-by: sum_of_ruled_surfaces_has_too_much sum_of_ruled_surfaces_has_two_parts
 :hypothesis: open_corner_loses_the_border | the curves meet at the corners
 :needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
   $f_0(1)=f_1(0)=0$
-:meant: the curves that have to be the borders, on which alone a displacement can be measured | The part due to the linear interpolation is $P_3$.
+:meant: the curves that have to be the borders, from which the displacement is measured, and the surface that is then taken away | The part due to the linear
+  interpolation is $P_3$.
 :figure: boolean_sum
 
-$P_3$ is what $P_1$ is on the borders $w=0,1$, and $P_2$ on the borders $u=0,1$.
+$P_3$ is what $P_1$ is on the borders $w=0,1$, and $P_2$ on the borders $u=0,1$.  At every point $P_s$ is twice $P_3$, plus what the border
+curves differ from the interpolation of their corners; when $P_3$ is taken away, it is still there once.
 :::
 
 :::{claim} sum_of_ruled_surfaces_has_too_much
@@ -301,6 +303,37 @@ CLAIM(sum_of_ruled_surfaces_has_too_much)
 }
 
 /*
+:::{claim} sum_of_ruled_surfaces_has_two_parts
+:title: Everywhere the sum is twice the surface of the corners, and what the border curves add
+:zh: 叠加曲面处处分为角点插值与边界偏差两部分
+:given: any values of the blending functions, any corners, any points of the border curves; $\delta_{0w}=0w-f_0(w)\,00-f_1(w)\,01$, in the same way $\delta_{1w}$
+  with $10,11$, and $\delta_{u0}=u0-f_0(u)\,00-f_1(u)\,10$, $\delta_{u1}$ with $01,11$
+:then: $P_s=2P_3+f_0(u)\,\delta_{0w}+f_1(u)\,\delta_{1w}+f_0(w)\,\delta_{u0}+f_1(w)\,\delta_{u1}$
+:method: The surfaces as printed; everything a variable.  The first part has the corners and no curve, the second is 0 where the curves interpolate
+  their corners.
+:scope: every point
+:over: f# g#: blending functions; x# y#: border curves; m#: corners
+:control: one $P_3$
+:::
+*/
+CLAIM(sum_of_ruled_surfaces_has_two_parts)
+{
+    num f[2], g[2], across[2], along[2], M[4], d_across[2], d_along[2]; /* 0w and 1w, u0 and u1 */
+    G(any_data)(T, "f", 2, f);
+    G(any_data)(T, "g", 2, g);
+    G(any_data)(T, "x", 2, across);
+    G(any_data)(T, "y", 2, along);
+    G(any_data)(T, "m", 4, M);
+    for (int i = 0; i < 2; i++) {
+        d_across[i] = sub(across[i], G(ruled)(g, M + 2 * i));
+        d_along[i] = sub(along[i], G(ruled)(f, (num[]){M[i], M[2 + i]}));
+    }
+    num sum = add(G(ruled)(f, across), G(ruled)(g, along)), P3 = G(of_corners)(f, g, M);
+    num corners = mul(from_int(fault(T, 2, 1)), P3);
+    same(T, sum, add(corners, add(G(ruled)(f, d_across), G(ruled)(g, d_along))));
+}
+
+/*
 So $P_1+P_2-P_3$ has the four borders.  The argument uses of the blending functions only their values at the ends, and of the curves
 only that they meet at the corners; the condition $f_0+f_1=1$ is needed for something else.
 
@@ -324,13 +357,45 @@ The other condition printed with the functions, $f_0+f_1=1$, is not needed for t
 :title: The corners in the matrix can be computed from the four curves
 :zh: 矩阵 M 的角点可由四条边界曲线求得
 :printed: The four elements of $M$ are the position vectors of the corners, and can be computed from the four given curves.
-:holds-by: four_curves_are_borders
+:holds-by: corner_of_the_patch_is_two_ends_less_an_entry
+:confirmed-by: four_curves_are_borders
 :hypothesis: open_corner_is_two_points | the curves meet at the corners: each corner is an end of two of them, and both give one point
 :needs: blendings_without_end_values_lose_a_corner | the conditions printed with the functions | $f_0(0)=f_1(1)=1$,
   $f_0(1)=f_1(0)=0$: with these the patch keeps its borders, and with them the corners
 :figure: boolean_sum
 :::
 
+:::{claim} corner_of_the_patch_is_two_ends_less_an_entry
+:title: At a corner the patch has what both curves have there, less the entry of the matrix
+:zh: 角点处曲面数据为两边界数据之和减去矩阵元素
+:given: $m=2$ or $m=4$ blending functions that have at the ends the values, and with $m=4$ the derivatives, of the unit matrix; any matrix $M$, any data
+  of the curves at the corners
+:then: in the place $(k,l)$ of $M$, a point or with $m=4$ a tangent or a twist of a corner, the patch has $A_k+B_l-M_{kl}$ with the data $A_k$ of $0w,1w,0w_u,1w_u$
+  and $B_l$ of $u0,u1,u0_w,u1_w$; if both are one vector $c$ it is $2c-M_{kl}$, which is $c$, and $M_{kl}$, exactly where $M_{kl}=c$
+:method: The kernel with rows of the unit matrix for both parameters, for each entry; everything a variable.
+:over: m#: corners; x# y#: border curves
+:control: the matrix of the corners transposed
+:::
+*/
+CLAIM(corner_of_the_patch_is_two_ends_less_an_entry)
+{
+    num A[most_data], B[most_data], M[most_data * most_data], P;
+    for (int m = 2; m <= most_data; m += 2) {
+        G(any_data)(T, "x", m, A);
+        G(any_data)(T, "y", m, B);
+        G(any_data)(T, "m", m * m, M);
+        for (int k = 0; k < m; k++)
+            for (int l = 0; l < m; l++) {
+                num of_u[most_data], of_w[most_data];
+                for (int i = 0; i < m; i++)
+                    of_u[i] = from_int(i == k), of_w[i] = from_int(i == l);
+                G(coons_patch)(m, 1, of_u, of_w, A, B, M, &P);
+                same(T, P, sub(add(A[k], B[l]), M[fault(T, k * m + l, l * m + k)]));
+            }
+    }
+}
+
+/*
 :::{claim} coons_kernel_is_the_bordered_product
 :title: The kernel is the printed sum of products, for two and for four functions
 :zh: Coons 曲面的分块矩阵形式
@@ -546,8 +611,8 @@ In the text at hand the sums of products have no signs; with those shown here th
 :title: The corners can be computed from the given curves
 :zh: 角点信息可由边界数据求得
 :printed: From $u0,u1,0w,1w$ and $u0_w,u1_w,0w_u,1w_u$ the points, tangents and twist vectors of the four corners can be computed.
-:holds-by: borders_and_cross_derivatives_are_kept unit_functions_are_dual_to_the_data
-:confirmed-by: cubic_frame_takes_the_data_of_the_corners
+:holds-by: corner_of_the_patch_is_two_ends_less_an_entry unit_functions_are_dual_to_the_data
+:confirmed-by: borders_and_cross_derivatives_are_kept cubic_frame_takes_the_data_of_the_corners
 :hypothesis: two_twists_cannot_both_be_kept | both ways to compute each of them give one vector
 :figure: two_twists
 :::

@@ -90,4 +90,38 @@ static inline int G(printed_matrix)(int i, int j)
     static const int H[4][4] = {{2, -2, 1, 1}, {-3, 3, -2, -1}, {0, 0, 1, 0}, {1, 0, 0, 0}};
     return H[i][j];
 }
+
+static inline void G(different_nodes)(trial *T, int d, num tau[])
+{
+    tau[0] = unknown(T, "t", 0);
+    for (int i = 1; i < d; i++)
+#if FIELD
+        tau[i] = unknown(T, "t", i);
+#else
+        tau[i] = add(tau[i - 1], positive(T, "h", i));
+#endif
+}
+
+/* t0, and t1 greater than it. */
+static inline void G(interval)(trial *T, num *t0, num *t1)
+{
+    *t0 = unknown(T, "t", 0);
+    *t1 = add(*t0, positive(T, "h", 0));
+}
+
+static inline void G(four_data)(trial *T, num data[4])
+{
+    for (int i = 0; i < 4; i++)
+        data[i] = unknown(T, "f", i);
+}
+
+/* Compare: p has the four data. */
+static inline void G(osculates)(trial *T, struct G(poly) p, num t0, num t1, const num data[4])
+{
+    static const char *const name[4] = {"P(t_0)", "P(t_1)", "P'(t_0)", "P'(t_1)"};
+    for (int i = 0; i < 4; i++) {
+        about(T, name[i]);
+        same(T, G(at)(p, i / 2, i % 2 == 0 ? t0 : t1), data[i]);
+    }
+}
 #include "chapters/judge/claims_off.h"

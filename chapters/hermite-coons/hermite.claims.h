@@ -37,17 +37,6 @@ serves for existence and uniqueness, the system being square.
 :::
 */
 
-static void G(different_nodes)(trial *T, int d, num tau[])
-{
-    tau[0] = unknown(T, "t", 0);
-    for (int i = 1; i < d; i++)
-#if FIELD
-        tau[i] = unknown(T, "t", i);
-#else
-        tau[i] = add(tau[i - 1], positive(T, "h", i));
-#endif
-}
-
 /*
 :::{claim} hermite_interpolant_exists_and_is_unique
 :title: Values and derivatives at different nodes determine one polynomial
@@ -330,8 +319,18 @@ static const struct G(monomial) G(printed_sum)[4][10] = {
     {{1, 2, 0, 1}, {-1, 2, 1, 0}, {1, 3, 0, 1}, {-1, 3, 1, 0}, {2, 0, 0, 0}, {-2, 1, 0, 0}},
 };
 
-/* The cubic with these coefficients.  The first monomial of a_2 is multiplied by sign and has the datum `which`. */
-static struct G(poly) G(cubic_of_sums)(num t0, num t1, const num data[4], int sign, int which)
+static num G(value_of)(struct G(monomial) term, num t0, num t1, const num data[4])
+{
+    num value = mul(from_int(term.factor), data[term.datum]);
+    for (int i = 0; i < term.p0; i++)
+        value = mul(value, t0);
+    for (int i = 0; i < term.p1; i++)
+        value = mul(value, t1);
+    return value;
+}
+
+/* The cubic with these coefficients.  The first monomial of a_2 is multiplied by sign. */
+static struct G(poly) G(cubic_of_sums)(num t0, num t1, const num data[4], int sign)
 {
     struct G(poly) p = {.n = 3};
     num length = sub(t1, t0), cube = mul(length, mul(length, length));
@@ -339,41 +338,12 @@ static struct G(poly) G(cubic_of_sums)(num t0, num t1, const num data[4], int si
         num sum = from_int(0);
         for (int m = 0; m < 10; m++) {
             struct G(monomial) term = G(printed_sum)[k][m];
-            if (k == 2 && m == 0)
-                term.factor *= sign, term.datum = which;
-            num value = mul(from_int(term.factor), data[term.datum]);
-            for (int i = 0; i < term.p0; i++)
-                value = mul(value, t0);
-            for (int i = 0; i < term.p1; i++)
-                value = mul(value, t1);
-            sum = add(sum, value);
+            term.factor *= k == 2 && m == 0 ? sign : 1;
+            sum = add(sum, G(value_of)(term, t0, t1, data));
         }
         p.c[k] = div(sum, cube);
     }
     return p;
-}
-
-/* t0, and t1 greater than it. */
-static void G(interval)(trial *T, num *t0, num *t1)
-{
-    *t0 = unknown(T, "t", 0);
-    *t1 = add(*t0, positive(T, "h", 0));
-}
-
-static void G(four_data)(trial *T, num data[4])
-{
-    for (int i = 0; i < 4; i++)
-        data[i] = unknown(T, "f", i);
-}
-
-/* Compare: p has the four data. */
-static void G(osculates)(trial *T, struct G(poly) p, num t0, num t1, const num data[4])
-{
-    static const char *const name[4] = {"P(t_0)", "P(t_1)", "P'(t_0)", "P'(t_1)"};
-    for (int i = 0; i < 4; i++) {
-        about(T, name[i]);
-        same(T, G(at)(p, i / 2, i % 2 == 0 ? t0 : t1), data[i]);
-    }
 }
 
 /*
@@ -392,7 +362,7 @@ CLAIM(cubic_coefficients_by_monomials)
     num t0, t1, data[4];
     G(interval)(T, &t0, &t1);
     G(four_data)(T, data);
-    G(osculates)(T, G(cubic_of_sums)(t0, t1, data, fault(T, 1, -1), 2), t0, t1, data);
+    G(osculates)(T, G(cubic_of_sums)(t0, t1, data, fault(T, 1, -1)), t0, t1, data);
 }
 
 /*
@@ -408,7 +378,8 @@ CLAIM(cubic_coefficients_by_monomials)
 :figure: square_without_its_prime
 
 In the text at hand the sum has no signs and no primes, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
-$2f'(t_1)t_0^2$ of the same line, and in the first term they are together, as in $3f(t_0)t_1$.  With either sign of that term the formula is false, and with a prime it is true.
+$2f'(t_1)t_0^2$ of the same line, and in the first term they are together, as in $3f(t_0)t_1$.  Whatever signs the ten terms are given, the formula is false; with a prime and
+the signs shown here it is true.
 :::
 */
 
@@ -421,8 +392,9 @@ $2f'(t_1)t_0^2$ of the same line, and in the first term they are together, as in
 :data: t = 0 1; f = 1 1; f' = 0 0
 :result: P(t_1) with -2f(t_0) = -1; P(t_1) with +2f(t_0) = 3
 :given: the nodes $t$, and the values $f$ and derivatives $f'$ of a constant
-:then: with either sign of the first term of the printed $a_2$ the curve does not end in $f(t_1)$
-:method: The printed sum with the lost sign of the first term put in both ways; its value at $t_1$.
+:then: whatever signs the ten terms of the printed $a_2$ have, the curve does not end in $f(t_1)$
+:method: The printed sums, that of $a_2$ with all $2^{10}$ choices of signs; the value at $t_1$.  It is shown for the signs of the correct formula and for those
+  with another sign of the first term.
 :control: the term with its prime
 :::
 */
@@ -432,14 +404,24 @@ CLAIM(square_needs_the_prime)
     given_points(T, "t", 2, 1, t);
     given_points(T, "f", 2, 1, data);
     given_points(T, "f'", 2, 1, data + 2);
+    struct G(poly) p = G(cubic_of_sums)(t[0], t[1], data, 1); /* and with 0 for a_2 its value at t_1 is `rest` */
+    num length = sub(t[1], t[0]), cube = mul(length, mul(length, length)), square = mul(t[1], t[1]), value[10];
+    num rest = sub(G(at)(p, 0, t[1]), mul(p.c[2], square));
+    for (int m = 0; m < 10; m++) {
+        struct G(monomial) term = G(printed_sum)[2][m];
+        term.datum = m == 0 ? fault(T, 2, 0) : term.datum;
+        value[m] = div(mul(square, G(value_of)(term, t[0], t[1], data)), cube);
+    }
     int hits = 0;
-    for (int sign = 1; sign >= -1; sign -= 2) {
-        struct G(poly) p = G(cubic_of_sums)(t[0], t[1], data, sign, fault(T, 2, 0));
-        num end = G(at)(p, 0, t[1]);
-        found(T, sign > 0 ? "P(t_1) with -2f(t_0)" : "P(t_1) with +2f(t_0)", end);
+    for (int turned = 0; turned < 1 << 10; turned++) { /* term m has the other sign where bit m is 1 */
+        num end = rest;
+        for (int m = 0; m < 10; m++)
+            end = add(end, turned >> m & 1 ? neg(value[m]) : value[m]);
+        if (turned < 2)
+            found(T, turned == 0 ? "P(t_1) with -2f(t_0)" : "P(t_1) with +2f(t_0)", end);
         hits += equal_q(end, data[1]);
     }
-    about(T, "whether one of the two signs gives f(t_1)");
+    about(T, "whether some choice of the signs gives f(t_1)");
     agree(T, hits > 0);
 }
 #endif
@@ -645,8 +627,9 @@ In the text at hand the formulas have no signs; with those shown here they give 
 :title: The sum of the values with Lagrange's functions is the polynomial
 :zh: Lagrange 混合函数
 :given: different nodes $\tau_0,\dots,\tau_n$, any polynomial of degree at most $n$, any $t$
-:then: `lagrange_blending` gives functions with $g_i(\tau_j)=1$ for $i=j$ and 0 otherwise, and $\sum_ip(\tau_i)g_i(t)=p(t)$
-:method: Nodes and $t$ variables, the polynomial each of $1,\ t-\tau_0,\ (t-\tau_0)(t-\tau_1),\dots$ up to degree $n$; both sides are
+:then: `lagrange_blending` gives $g_i(t)=\prod_{j\ne i}(t-\tau_j)\big/\prod_{j\ne i}(\tau_i-\tau_j)$, functions with $g_i(\tau_j)=1$ for $i=j$ and 0 otherwise, and
+  $\sum_ip(\tau_i)g_i(t)=p(t)$
+:method: Nodes and $t$ variables, numerator and denominator each multiplied out; the polynomial each of $1,\ t-\tau_0,\ (t-\tau_0)(t-\tau_1),\dots$ up to degree $n$; both sides are
   linear in the polynomial, and every other one is a sum of multiples of these.
 :degrees: 0..6 sampled 10
 :over: t#: different nodes; p: t
@@ -666,6 +649,14 @@ CLAIM(lagrange_functions_keep_every_polynomial)
             same(T, g[i], from_int(i == j));
     }
     G(lagrange_blending)(n, tau, t, g);
+    about(T, "the printed fractions");
+    for (int i = 0; i <= n; i++) {
+        num above = from_int(1), below = from_int(1);
+        for (int j = 0; j <= n; j++)
+            if (j != i)
+                above = mul(above, sub(t, tau[j])), below = mul(below, sub(tau[i], tau[j]));
+        same(T, mul(g[i], below), above);
+    }
     about(T, "p(t)");
     for (int k = 0; k <= n; k++) { /* p(t) = (t - tau_0) ... (t - tau_{k-1}) */
         num sum = from_int(0), at_t = from_int(1);

@@ -102,7 +102,7 @@ CLAIM(base_functions_interpolate_once_continuously)
 }
 
 /*
-The sum has $2n+2$ terms, but at each $t$ only four of them are not 0.  This is true on intervals that lie one after the other: the nodes
+The sum has $2n+2$ terms, but at each $t$ at most four of them are not 0.  This is true on intervals that lie one after the other: the nodes
 must not only differ but increase.
 
 :::{statement} slides-ch4:2-piecewise
@@ -116,6 +116,9 @@ must not only differ but increase.
 :needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :figure: nodes_that_meet
+
+The slides call $P$ an interpolating polynomial, and say that it is defined piece by piece.  A polynomial it is on each interval; over two of them it
+need not be one, for its second derivative may jump, `pieces_need_not_have_one_curvature`.
 :::
 */
 
@@ -154,14 +157,39 @@ CLAIM(overlapping_intervals_miss_the_data)
 :holds-by: base_functions_interpolate_once_continuously
 :argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
-:meant: the factor $t_{i+1}-t_i$ in the same line | $P_i'=f'(t_i)$.
-:reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$
+:meant: the factor $t_{i+1}-t_i$ in the same line, and the sum before it, to which it is equal | $P_i'=f'(t_i)$, and the factor belongs to both derivatives.
+:reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$, and the factor belongs to both derivatives
+:reading: factor_beside_the_second_derivative_loses_the_first | $P_i'=f'(t_i)$, and the factor belongs to the second derivative alone, the sum having no bracket
 :reading: scaled_tangent_is_not_scaled_again | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as for the piece over the unit interval
 :figure: piecewise_base_functions
 
-In the text at hand the formula has no bracket; it is read so that the one factor at the end belongs to both derivatives.
+In the text at hand, which keeps no square brackets, the formula has none.
 :::
 
+:::{claim} factor_beside_the_second_derivative_loses_the_first
+:title: If only the second derivative is multiplied by the length the first one is lost
+:zh: 区间长度须同乘两个导数
+:kind: counterexample
+:data: t = 0 2; f'(t_0) = 1
+:instead: t = 0 1
+:result: derivative at t_0 = 1/2
+:given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; $P_0'=f'(t_0)$
+:then: $P_0'h_{0,0}(t)$, without a factor, has at $t_0$ another derivative than $f'(t_0)$
+:method: The printed function, multiplied out and differentiated.
+:control: an interval of length 1
+:::
+*/
+CLAIM(factor_beside_the_second_derivative_loses_the_first)
+{
+    num t[2];
+    given_points(T, "t", 2, 1, t);
+    num slope = given(T, "f'(t_0)"), derivative = mul(slope, G(at)(G(printed_blending)(t[0], t[1], 2), 1, t[0]));
+    found(T, "derivative at t_0", derivative);
+    about(T, "the derivative at t_0, and f'(t_0)");
+    same(T, derivative, slope);
+}
+
+/*
 :::{claim} scaled_tangent_is_not_scaled_again
 :title: A tangent that contains the length must not be multiplied by it again
 :zh: 切向量不可重复缩放
@@ -263,7 +291,8 @@ CLAIM(pieces_turn_where_a_derivative_vanishes)
     found_points(T, "P'(t_1-h)", 1, 2, before + 2);
     found_points(T, "P'(t_1+h)", 1, 2, after + 2);
     poly product = poly_constant(from_int(0));
-    for (int c = 0; c < 2; c++) { /* intervals of length 1: P_0 + m_0 x + (3 d - 2 m_0 - m_1) x^2 + (m_0 + m_1 - 2 d) x^3 */
+    for (int c = 0; c < 2;
+         c++) { /* intervals of length 1: P_0 + m_0 x + (3 d - 2 m_0 - m_1) x^2 + (m_0 + m_1 - 2 d) x^3 */
         poly piece[2];
         for (int k = 0; k < 2; k++) {
             num d = sub(P[2 * k + 2 + c], P[2 * k + c]), m0 = slope[2 * k + c], m1 = slope[2 * k + 2 + c];
@@ -329,6 +358,9 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :confirmed-by: one_choice_of_signs_in_the_matrix
 :needs: equal_ends_have_no_cubic | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
   interval
+:meant: the line below the formula, which begins with "where" (其中) | $P_i'$ and $P_{i+1}'$ are the derivatives times $t_{i+1}-t_i$.
+:reading: unit_blending_functions | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as in the line below
+:reading: tangent_over_the_unit_interval_is_scaled | $P_i'=f'(t_i)$, as for the piece over its own interval
 :figure: one_tangent_two_lengths
 
 In the text at hand the formula has no signs and no primes; with those shown here it is true.
@@ -351,6 +383,31 @@ over all $P_ia_{i,0}+P_i'a_{i,1}$, for $f'(t_i)$ itself.
 */
 
 #if RATIONAL
+/*
+:::{claim} tangent_over_the_unit_interval_is_scaled
+:title: Over the unit interval the derivative by t itself makes another curve
+:zh: 单位区间上须用缩放的切向量
+:kind: counterexample
+:data: t = 0 2; f'(t_0) = 1
+:instead: t = 0 1
+:result: dP/dt at t_0 = 1/2
+:given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; the piece over the unit interval with $P_0'=f'(t_0)$
+:then: at $t_0$ it has another derivative with respect to $t$ than $f'(t_0)$
+:method: The kernel over the unit interval, its derivative divided by the length.
+:control: an interval of length 1
+:::
+*/
+CLAIM(tangent_over_the_unit_interval_is_scaled)
+{
+    num t[2], zero = from_int(0), one = from_int(1), slope = given(T, "f'(t_0)"), out[2];
+    given_points(T, "t", 2, 1, t);
+    hermite_cubic_q(1, zero, one, (num[]){zero, zero, slope, zero}, zero, 1, out);
+    num derivative = div(out[1], sub(t[1], t[0]));
+    found(T, "dP/dt at t_0", derivative);
+    about(T, "the derivative at t_0, and f'(t_0)");
+    same(T, derivative, slope);
+}
+
 /*
 :::{claim} one_scaled_tangent_for_two_pieces_makes_a_jump
 :title: With the scaled tangent of the piece before, the derivative jumps

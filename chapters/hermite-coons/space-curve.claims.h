@@ -20,18 +20,20 @@ enum { space = 3 };
 :printed: Explicit equations without a parameter describe plane curves only; a space curve has to be defined as the intersection of two
   cylinders.
 :holds-by: both_equations_hold_at_one_point
-:hypothesis: closed_curve_is_no_pair_of_graphs | each value of one coordinate has one point: explicit equations $y=f(x)$,
-  $z=g(x)$ are that, or those of another coordinate
+:hypothesis: closed_curve_is_no_pair_of_graphs | one coordinate has different values at different points: so it is for explicit equations
+  $y=f(x)$, $z=g(x)$, and for those of two coordinates by another one
 :meant: the first half of the sentence, on explicit equations (显示方程) | Of explicit equations each has two of the coordinates and is a cylinder; two of
   them are needed, and define the curve.
 :reading: both_equations_hold_at_one_point | by two explicit equations $y=f(x)$, $z=g(x)$, each of them a cylinder
 :reading: surfaces_that_are_no_cylinders_meet_in_a_curve | in no other way: surfaces that have just the curve in common are cylinders
 :reading: no_two_projections_give_the_circle | by the cylinders over some two of its projections, for every curve
 :reading: two_cylinders_hold_more_than_the_curve | by the cylinders over any two of its projections, for every curve for which some two will do
-:confirmed-by: graphs_over_one_axis_meet_in_one_curve two_cylinders_are_two_ellipses two_cylinders_of_the_circle_hold_an_ellipse
+:confirmed-by: graphs_over_one_axis_meet_in_one_curve graphs_over_two_axes_meet_in_a_closed_curve two_cylinders_are_two_ellipses
+  two_cylinders_of_the_circle_hold_an_ellipse
 :figure: two_cylinders
 
-The cylinders over the projections of the ellipse $x^2+y^2=1$, $z=y$ along $z$ and $y$ have more in common than the ellipse:
+The condition is enough and not necessary: $z=x^2$ and $z=1-y^2$ are explicit equations and meet in a closed curve,
+`graphs_over_two_axes_meet_in_a_closed_curve`.  The cylinders over the projections of the ellipse $x^2+y^2=1$, $z=y$ along $z$ and $y$ have more in common than the ellipse:
 the ellipses of $z=y$ and of $z=-y$, `two_cylinders_are_two_ellipses`.  Two of the cylinders of the
 circle $x^2+y^2+z^2=2$, $x+y+z=0$ have in common the circle and an ellipse of a plane in which two coordinates are equal,
 `two_cylinders_of_the_circle_hold_an_ellipse`.
@@ -85,6 +87,25 @@ CLAIM(graphs_over_one_axis_meet_in_one_curve)
     same(T, P[0], t);
     same(T, P[1], G(at)(f, 0, t));
     same(T, P[2], G(at)(g, 0, t));
+}
+
+/*
+:::{claim} graphs_over_two_axes_meet_in_a_closed_curve
+:title: Two graphs over different axes meet in a closed curve
+:zh: 不同轴上的两个显式方程交于一闭曲线
+:given: any $x,y,z$
+:then: $(z-(1-y^2))-(z-x^2)=x^2+y^2-1$
+:method: An identity.  Where $z=x^2$ and $z=1-y^2$ the right side is 0; and where it is 0 and $z=x^2$ the other equation holds.  So the two graphs meet
+  in the curve of the points $(x,y,x^2)$ with $x^2+y^2=1$, which is closed.
+:over: x# y# z#: points
+:control: $z=y^2$ in the place of $z=1-y^2$
+:::
+*/
+CLAIM(graphs_over_two_axes_meet_in_a_closed_curve)
+{
+    num x = unknown(T, "x", 0), y = unknown(T, "y", 0), z = unknown(T, "z", 0), one = from_int(1);
+    num squares[2] = {mul(x, x), mul(y, y)}, second = sub(z, fault(T, sub(one, squares[1]), squares[1]));
+    same(T, sub(second, sub(z, squares[0])), sub(add(squares[0], squares[1]), one));
 }
 
 #if RATIONAL
@@ -199,7 +220,8 @@ CLAIM(surfaces_that_are_no_cylinders_meet_in_a_curve)
 :kind: counterexample
 :data: (x, y, z) = (0,1,-1)
 :instead: (x, y, z) = (0,1,1)
-:given: the ellipse $x^2+y^2=1$, $z=y$; its projections along the axes $z$ and $y$ are the circles $x^2+y^2=1$ and $x^2+z^2=1$; a point of space
+:given: the ellipse $x^2+y^2=1$, $z=y$, which its projections along the axes $z$ and $x$ determine; those along $z$ and $y$ are the circles $x^2+y^2=1$ and
+  $x^2+z^2=1$; a point of space
 :then: the point is on the cylinders over both, and $z\ne y$
 :method: Both equations at the point; $z$ against $y$.
 :control: a point with $z=y$
@@ -224,8 +246,10 @@ CLAIM(two_cylinders_hold_more_than_the_curve)
 :data: p = (3/5,4/5,4/5) (3/5,-4/5,-4/5) (-3/5,4/5,4/5)
 :instead: p = (3/5,4/5,4/5) (3/5,4/5,4/5) (3/5,4/5,4/5)
 :given: the ellipse $x^2+y^2=1$, $z=y$ and three of its points $p$: the first two with one $x$, the first and the third with one $y$ and one $z$
-:then: with $y=f(x)$ the first two would have one $y$, with $x=f(y)$ or $x=f(z)$ the first and the third one $x$, and they have not
-:method: The points on the ellipse, exactly; their coordinates.
+:then: with $y=f(x)$ the first two would have one $y$, with $z=f(x)$ one $z$, with $x=f(y)$ or $x=f(z)$ the first and the third one $x$, and they have
+  not
+:method: The points on the ellipse, exactly; their coordinates.  Of explicit equations $y=f(z)$ and $z=f(y)$ remain, in which there is no $x$: no two
+  equations, of whatever coordinates, define the ellipse.
 :control: the first point three times
 :::
 */
@@ -245,7 +269,7 @@ CLAIM(closed_curve_is_no_pair_of_graphs)
     same(T, points[1], third[1]);
     same(T, points[2], third[2]);
     about(T, "whether there is one point for each value of x, or of y, or of z");
-    refute(T, !equal_q(points[1], second[1]) && !equal_q(points[0], third[0]));
+    refute(T, !equal_q(points[1], second[1]) && !equal_q(points[2], second[2]) && !equal_q(points[0], third[0]));
 }
 #endif
 
