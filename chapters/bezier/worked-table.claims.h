@@ -122,6 +122,7 @@ CLAIM(table_row_of_start) { exact_numbers(T); }
 :zh: t=0.15 处的四个基函数值
 :printed: $t=0.15$: $(1-t)^3=0.614$, $3t(1-t)^2=0.325$, $3t^2(1-t)=0.0574$, $t^3=0.0034$
 :holds-by: table_row_of_fifteen_hundredths
+:meant: the digits of the column, three or two that count | Each number is the value of the function, rounded to the digits that are printed.
 :figure: worked_table
 :::
 
@@ -219,6 +220,7 @@ CLAIM(exact_values_of_the_table)
 :zh: t=0.15 处的纵坐标
 :printed: y(0.15)=1.765
 :holds-by: table_row_of_fifteen_hundredths
+:meant: the head of the column, $P(t)$ | The number is the value of the curve, rounded to the digits that are printed.
 :figure: worked_table
 :::
 

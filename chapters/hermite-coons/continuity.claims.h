@@ -442,7 +442,7 @@ part along the tangent may be added.  Each of the four readings of the printed s
 :corrected: $\dot P_{\mathrm{II}}=\lambda\dot P_{\mathrm I}$ and $\ddot P_{\mathrm{II}}=\lambda^2\ddot P_{\mathrm I}+\beta\dot P_{\mathrm I}$ at the joint of the segments $P_{\mathrm I}$
   and $P_{\mathrm{II}}$, with some $\lambda>0$ and some $\beta$, $\dot P_{\mathrm I}\ne0$
 :corrected-by: conditions_make_one_curve_in_another_parameter condition_keeps_the_curvature_vector curvature_vector_forces_the_condition
-  second_derivative_splits_along_the_first
+  second_derivative_splits_along_the_first curvature_vector_is_the_turning_of_the_tangent
 :figure: proportional_derivatives
 :striking: 44
 
