@@ -626,12 +626,13 @@ CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$, for the printed ones only for $\beta=0$
 :corrected-by: reversed_polygon_reverses_the_curve printed_outer_functions_are_mirror_images
+:reading: printed_sum_in_closed_form | of the correction, curves compared as sets of points, $-7\le\beta\le1$, $\beta\ne0$: the printed curve of
+  $P_0=\dots=P_6=(0,1)$, $P_7=(1,1)$ is $(\hat B_7(t),\,1-4\beta s^3t^4)$, that of the reversed polygon at $s=1-t$ is
+  $(\hat B_7(t),\,1-4\beta s^4t^3)$, and $\hat B_7$ rises: two sets
+:reading-with: printed_outer_functions_are_mirror_images derivative_of_a_function_factors first_function_falls_and_last_rises
 :figure: two_directions_two_curves
 
-What is compared is the point at $1-t$ with that at $t$, as in (12), and for all polygons together.  As sets of points, too, the printed curves
-of some polygon and its reverse differ, if $-7\le\beta\le1$ and $\beta\ne0$: for $P_0=\dots=P_6=(0,1)$, $P_7=(1,1)$ they are
-$(\hat B_7,\,1-4\beta s^3t^4)$ at $t$ and $(\hat B_7,\,1-4\beta s^4t^3)$ for the parameter $s=1-t$, and $\hat B_7$ rises
-(`printed_sum_in_closed_form`, `first_function_falls_and_last_rises`).
+What is compared is the point at $1-t$ with that at $t$, as in (12), and for all polygons together.
 :::
 
 :::{claim} printed_curve_is_not_reversed
