@@ -130,23 +130,27 @@ fixes them.
 :zh: 修正只涉及两处数字
 :given: any $\beta$ and $t$
 :then: $B_{i,7}=\hat B_i$ for $i\ne3,4$, and $B_{3,7}=(35+5\beta-5\beta t)(1-t)^4t^3$,
-  $B_{4,7}=(35+5\beta t)(1-t)^3t^4$
-:method: The kernel against the formulas, $\beta$ and $t$ variables.
+  $B_{4,7}=(35+5\beta t)(1-t)^3t^4$; $\nu_i$ and $\varphi_i$ are the values of the linear factors at $t=0$ and $t=1$
+:method: The kernels of the functions and of the factors against the formulas, $\beta$ and $t$ variables.
 :degrees: 7..7
 :control: the printed digit 9 in $B_3$
 :::
 */
 CLAIM(two_digits_are_corrected)
 {
-    num beta = G(any_beta)(T), t = parameter(T, "t"), B[8];
+    num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), B[8], near[8], far[8];
     G(shape_basis)(7, beta, t, B);
+    G(shape_factors)(7, beta, near, far);
     for (int i = 0; i <= 7; i++) {
-        num value = G(printed)(i, beta, t);
+        num factor = G(printed_factor)(i, beta, t);
         if (i == 3)
-            value = mul(G(three_terms)(35, 5, fault(T, -5, -9), beta, t), G(product_of_powers)(4, 3, t));
+            factor = G(three_terms)(35, 5, fault(T, -5, -9), beta, t);
         if (i == 4)
-            value = mul(G(three_terms)(35, 0, 5, beta, t), G(product_of_powers)(3, 4, t));
-        same(T, B[i], value);
+            factor = G(three_terms)(35, 0, 5, beta, t);
+        about(T, "the function");
+        same(T, B[i], mul(factor, G(product_of_powers)(7 - i, i, t)));
+        about(T, "its linear factor");
+        same(T, add(mul(near[i], s), mul(far[i], t)), factor);
     }
 }
 
