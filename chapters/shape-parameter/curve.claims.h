@@ -260,7 +260,9 @@ CLAIM(printed_points_move_evenly_with_beta)
 :figure: edges_that_do_not_move
 
 As sets of points curves that are different functions may be one: with the corrected functions and $-\frac{21}4\le\beta\le1$ the curve of
-points of a segment from $P_0$ to $P_7$ is this segment, which is the hull.  Beyond this example sets are not compared.  Whether the curves approximate the polygon, is asked by property 3.5.
+points of a segment from $P_0$ to $P_7$ is this segment, which is the hull.  They are different sets with the corrected functions where the first
+coordinates of the points are $0,0,0,0,1,1,1,1$ and the polygon is not excepted: then the first coordinate of the curve is the same for all $\beta$, and
+rises with $t$.  Other polygons are not asked for sets.  Whether the curves approximate the polygon, is asked by property 3.5.
 :::
 */
 
