@@ -130,23 +130,27 @@ fixes them.
 :zh: 修正只涉及两处数字
 :given: any $\beta$ and $t$
 :then: $B_{i,7}=\hat B_i$ for $i\ne3,4$, and $B_{3,7}=(35+5\beta-5\beta t)(1-t)^4t^3$,
-  $B_{4,7}=(35+5\beta t)(1-t)^3t^4$
-:method: The kernel against the formulas, $\beta$ and $t$ variables.
+  $B_{4,7}=(35+5\beta t)(1-t)^3t^4$; $\nu_i$ and $\varphi_i$ are the values of the linear factors at $t=0$ and $t=1$
+:method: The kernels of the functions and of the factors against the formulas, $\beta$ and $t$ variables.
 :degrees: 7..7
 :control: the printed digit 9 in $B_3$
 :::
 */
 CLAIM(two_digits_are_corrected)
 {
-    num beta = G(any_beta)(T), t = parameter(T, "t"), B[8];
+    num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), B[8], near[8], far[8];
     G(shape_basis)(7, beta, t, B);
+    G(shape_factors)(7, beta, near, far);
     for (int i = 0; i <= 7; i++) {
-        num value = G(printed)(i, beta, t);
+        num factor = G(printed_factor)(i, beta, t);
         if (i == 3)
-            value = mul(G(three_terms)(35, 5, fault(T, -5, -9), beta, t), G(product_of_powers)(4, 3, t));
+            factor = G(three_terms)(35, 5, fault(T, -5, -9), beta, t);
         if (i == 4)
-            value = mul(G(three_terms)(35, 0, 5, beta, t), G(product_of_powers)(3, 4, t));
-        same(T, B[i], value);
+            factor = G(three_terms)(35, 0, 5, beta, t);
+        about(T, "the function");
+        same(T, B[i], mul(factor, G(product_of_powers)(7 - i, i, t)));
+        about(T, "its linear factor");
+        same(T, add(mul(near[i], s), mul(far[i], t)), factor);
     }
 }
 
@@ -169,7 +173,7 @@ CLAIM(mirror_images_with_sum_one_are_unique)
 {
     num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), B[8], sum = from_int(0);
     num x = unknown(T, "x", 0), y = unknown(T, "y", 0);
-    G(shape_basis_printed)(beta, t, B);
+    G(functions_of)(1, 7, beta, t, B);
     B[3] = mul(add(mul(x, s), mul(y, t)), G(product_of_powers)(4, 3, t));
     B[4] = mul(add(mul(y, s), mul(x, t)), G(product_of_powers)(3, 4, t));
     for (int i = 0; i <= 7; i++)
@@ -449,7 +453,7 @@ CLAIM(printed_functions_do_not_sum_to_one)
 CLAIM(printed_sum_in_closed_form)
 {
     num beta = G(any_beta)(T), t = parameter(T, "t"), B[8], sum = from_int(0);
-    G(shape_basis_printed)(beta, t, B);
+    G(functions_of)(1, 7, beta, t, B);
     for (int i = 0; i <= 7; i++)
         sum = add(sum, B[i]);
     num product = G(product_of_powers)(fault(T, 3, 4), fault(T, 4, 3), t);
@@ -538,8 +542,8 @@ CLAIM(printed_middle_functions_are_no_mirror_images)
 CLAIM(printed_outer_functions_are_mirror_images)
 {
     num beta = G(any_beta)(T), t = parameter(T, "t"), s = sub(from_int(1), t), left[8], right[8];
-    G(shape_basis_printed)(beta, s, left);
-    G(shape_basis_printed)(beta, t, right);
+    G(functions_of)(1, 7, beta, s, left);
+    G(functions_of)(1, 7, beta, t, right);
     for (int i = 0; i <= 2; i++)
         same(T, left[i], right[7 - i]);
     num middle = fault(T, sub(s, t), s);
@@ -631,12 +635,11 @@ CLAIM(functions_vanish_to_their_orders_at_the_ends)
 :zh: 式 (6)
 :printed: $B_{i,7}(0)=0$ for $i=1,\dots,7$; $B_{i,7}'(0)=0$ for $i=2,\dots,7$; $B_{j,j}^{(k)}(0)=0$ for
   $2\le k<j\le7$
-:holds-by: functions_vanish_to_their_orders_at_the_ends functions_of_lower_degree_vanish_at_the_beginning
+:holds-by: functions_vanish_to_their_orders_at_the_ends
+:meant: definition 2.1, which has no functions but $B_{0,7},\dots,B_{7,7}$ | $B_{3,3},B_{4,4},\dots$, from the second derivative on, are $B_{3,7},B_{4,7},\dots$.
+:reading: functions_of_lower_degree_vanish_at_the_beginning | $B_{j,j}$ to the letter, the last function of degree $j$, $3\le j\le7$, of the
+  family or of Bernstein
 :figure: eight_functions
-
-From the second derivative on the print has $B_{3,3},B_{4,4},\dots$ for $B_{3,7},B_{4,7},\dots$; functions of other
-degrees are defined nowhere in the text.  True either way: with 7, and with the function of the family, or the Bernstein
-polynomial, of degree $j$.
 :::
 
 :::{claim} functions_of_lower_degree_vanish_at_the_beginning
@@ -728,7 +731,7 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :printed: for $\beta=0$ and every $i=0,\dots,7$: $B_{0,7}(t)=B_i^7(t)$
 :refuted-by: first_function_is_not_every_bernstein_polynomial
 :class: misprint
-:corrected: $B_{i,7}(t)=B_i^7(t)$: the index 0 on the left is $i$; so for the functions $\hat B_i$ that are printed and for the corrected ones
+:corrected: for $\beta=0$, $B_{i,7}(t)=B_i^7(t)$: the index 0 on the left is $i$; so for the functions $\hat B_i$ that are printed and for the corrected ones
 :corrected-by: beta_zero_gives_bernstein_polynomials
 :figure: beta_zero
 :degree: 7
@@ -763,7 +766,7 @@ CLAIM(first_function_is_not_every_bernstein_polynomial)
     num beta = given(T, "β"), B[8], b[8];
     int i = given_whole(T, "i");
     num t = given(T, "t");
-    G(shape_basis_printed)(beta, t, B);
+    G(functions_of)(1, 7, beta, t, B);
     G(bernstein_basis)(7, t, b);
     num left = B[fault(T, i, 0)];
     found(T, "left side of (9)", left);
@@ -779,7 +782,7 @@ CLAIM(first_function_is_not_every_bernstein_polynomial)
 :zh: β=0 时 B_{i,n}=B_i^n
 :given: any $t$, every $i$
 :then: $B_{i,n}=B_i^n$ for $\beta=0$; for $n=7$ also $\hat B_i=B_i^7$
-:method: The kernels against binomial coefficients and powers, at a variable $t$.
+:method: The kernel, and the eight printed formulas, against binomial coefficients and powers, at a variable $t$.
 :degrees: 2..9 sampled 16
 :control: $\beta=1$
 :::
@@ -792,7 +795,7 @@ CLAIM(beta_zero_gives_bernstein_polynomials)
     for (int i = 0; i <= n; i++)
         same(T, B[i], mul(G(choose)(n, i), G(product_of_powers)(n - i, i, t)));
     if (n == 7) {
-        G(shape_basis_printed)(beta, t, B);
+        G(functions_of)(1, 7, beta, t, B);
         for (int i = 0; i <= n; i++)
             same(T, B[i], mul(G(choose)(n, i), G(product_of_powers)(n - i, i, t)));
     }

@@ -12,6 +12,7 @@ elevation (升阶).  With the printed functions $Q_4$ and $Q_5$ leave their line
 #include "exact/record/hull.h"
 
 #include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
 
 #include "chapters/judge/claims_on.h"
 
@@ -149,11 +150,11 @@ CLAIM(bezier_points_divide_the_edges)
 :::
 
 :::{claim} beta_zero_gives_the_bezier_curve
-:title: For beta = 0 both kernels give the Bézier curve
+:title: For beta = 0 the curve is the Bézier curve
 :zh: β=0 时为 Bézier 曲线
 :given: points of the plane, any $t$
-:then: `shape_point` and, for $n=7$, `shape_point_printed` give the point of de Casteljau's algorithm
-:method: The kernels side by side, everything a variable.
+:then: $\sum P_iB_{i,n}(t)$ for $\beta=0$ and, for $n=7$, $\sum P_i\hat B_i(t)$ are the point of de Casteljau's algorithm
+:method: The kernel, and the eight printed formulas, against that algorithm, everything a variable.
 :degrees: 2..7 sampled 14
 :control: $\beta=1$
 :::
@@ -168,7 +169,7 @@ CLAIM(beta_zero_gives_the_bezier_curve)
     for (int c = 0; c < dim; c++)
         same(T, at[c], bezier[c]);
     if (n == 7) {
-        G(shape_point_printed)(dim, P, beta, t, at);
+        G(curve_point)(1, 7, dim, P, beta, t, at);
         for (int c = 0; c < dim; c++)
             same(T, at[c], bezier[c]);
     }
@@ -242,7 +243,7 @@ CLAIM(printed_points_move_evenly_with_beta)
     num beta[4] = {add(first, h), first, from_int(fault(T, 1, 2)), from_int(0)};
     G(free_points)(T, 7, dim, P);
     for (int k = 0; k < 4; k++)
-        G(shape_point_printed)(dim, P, beta[k], t, at[k]);
+        G(curve_point)(1, 7, dim, P, beta[k], t, at[k]);
     for (int c = 0; c < dim; c++)
         same(T, sub(at[0][c], at[1][c]), mul(h, sub(at[2][c], at[3][c])));
 }
@@ -255,10 +256,13 @@ CLAIM(printed_points_move_evenly_with_beta)
 :holds-by: points_move_evenly_with_beta printed_points_move_evenly_with_beta polygons_that_do_not_move
 :hypothesis: edges_that_do_not_move | the polygon is not $0,0,0,0,5v,v,v,v$ (printed functions) or $P,P,P,P,Q,Q,Q,Q$ (corrected
   ones): these polygons $P_0,\dots,P_7$, any $v$, $P$ and $Q$, have one curve for all $\beta$
+:meant: definition 3.1, where the curve is a function of $t$ | Curves are different when they are different functions of $t$.
 :figure: edges_that_do_not_move
 
-Different as parametrized curves.  As sets of points they may be one: with the corrected functions and $-\frac{21}4\le\beta\le1$ the curve of
-points of a segment from $P_0$ to $P_7$ is this segment, which is the hull.  Whether the curves approximate the polygon, is asked by property 3.5.
+As sets of points curves that are different functions may be one: with the corrected functions and $-\frac{21}4\le\beta\le1$ the curve of
+points of a segment from $P_0$ to $P_7$ is this segment, which is the hull.  They are different sets with the corrected functions where the first
+coordinates of the points are $0,0,0,0,1,1,1,1$ and the polygon is not excepted: then the first coordinate of the curve is the same for all $\beta$, and
+rises with $t$.  Other polygons are not asked for sets.  Whether the curves approximate the polygon, is asked by property 3.5.
 :::
 */
 
@@ -624,6 +628,10 @@ CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$, for the printed ones only for $\beta=0$
 :corrected-by: reversed_polygon_reverses_the_curve printed_outer_functions_are_mirror_images
+:reading: printed_sum_in_closed_form | of the correction, curves compared as sets of points, $-7\le\beta\le1$, $\beta\ne0$: the printed curve of
+  $P_0=\dots=P_6=(0,1)$, $P_7=(1,1)$ is $(\hat B_7(t),\,1-4\beta s^3t^4)$, that of the reversed polygon at $s=1-t$ is
+  $(\hat B_7(t),\,1-4\beta s^4t^3)$, and $\hat B_7$ rises: two sets
+:reading-with: printed_outer_functions_are_mirror_images derivative_of_a_function_factors first_function_falls_and_last_rises
 :figure: two_directions_two_curves
 
 What is compared is the point at $1-t$ with that at $t$, as in (12), and for all polygons together.
@@ -634,10 +642,13 @@ What is compared is the point at $1-t$ with that at $t$, as in (12), and for all
 :zh: 按式 (1) 反序不得原曲线
 :kind: counterexample
 :data: β = -1; P = (0,0) (1,6) (2,10) (3,12) (4,12) (5,10) (6,6) (7,1); t = 1/4
-:result: q(t) = (27487/16384,493639/65536); reversed curve at 1-t = (28189/16384,504007/65536)
+:result: q(t) = (27487/16384,493639/65536); reversed curve at 1-t = (28189/16384,504007/65536);
+  degree of the common divisor = 0
 :given: $\beta$, a $t$, and a convex polygon
-:then: the curve of the reversed polygon at $1-t$ is not the curve at $t$
-:method: Both points by the printed formulas.
+:then: the curve of the reversed polygon at $1-t$ is not the curve at $t$; nor is any other point of the reversed curve, since
+  its two coordinates minus those of $q(t)$, polynomials of the parameter, have no common root
+:method: Both points by the printed formulas; the greatest common divisor of the two polynomials has degree 0.  `hull.h` decides that the polygon is
+  convex.
 :control: the corrected functions
 :::
 */
@@ -650,10 +661,14 @@ CLAIM(printed_curve_is_not_reversed)
     G(reversed_points)(7, dim, P, R);
     G(curve_point)(printed_ones, 7, dim, P, beta, t, forward);
     G(curve_point)(printed_ones, 7, dim, R, beta, s, backward);
+    struct G(path) reversed = G(path_in)(printed_ones, 7, R, beta);
+    poly across = poly_sub(reversed.x, poly_constant(forward[0])), up = poly_sub(reversed.y, poly_constant(forward[1]));
+    int common = poly_degree(poly_gcd(across, up));
     found_points(T, "q(t)", 1, dim, forward);
     found_points(T, "reversed curve at 1-t", 1, dim, backward);
-    about(T, "the reversed curve at 1-t and the curve at t, their first coordinates");
-    same(T, backward[0], forward[0]);
+    found_whole(T, "degree of the common divisor", common);
+    about(T, "the polygon is not convex, or the reversed curve comes to q(t), at 1-t or elsewhere");
+    refute(T, polygon_is_convex(7, P, 1, NULL) && !equal_q(backward[0], forward[0]) && common == 0);
 }
 #endif
 
@@ -706,8 +721,8 @@ equation in the middle fails, too: the left sum is the point of the reversed pol
 :zh: 式 (12) 首尾不等
 :kind: counterexample
 :data: β = -1; P = 0 1 2 3 4 5 6 7; t = 0
-:result: q(1-t) = 7; q(t) = 0
-:given: points on an axis, one coordinate of each, and the first parameter; corrected functions
+:result: q(1-t), printed and corrected = 7 7; q(t), printed and corrected = 0 0
+:given: points on an axis, one coordinate of each, and the first parameter; printed and corrected functions
 :then: $q(1-t)\ne q(t)$: they are the last and the first point
 :method: The two ends of the chain are computed.
 :control: the curve of the reversed polygon on the left
@@ -715,16 +730,18 @@ equation in the middle fails, too: the left sum is the point of the reversed pol
 */
 CLAIM(curve_is_not_its_own_reverse)
 {
-    num beta = given(T, "β"), P[8], R[8], left, right;
+    num beta = given(T, "β"), P[8], R[8], left[2], right[2];
     given_points(T, "P", 8, 1, P);
     num t = given(T, "t");
     G(reversed_points)(7, 1, P, R);
-    G(shape_point)(7, 1, fault(T, R, P), beta, sub(from_int(1), t), &left);
-    G(shape_point)(7, 1, P, beta, t, &right);
-    found(T, "q(1-t)", left);
-    found(T, "q(t)", right);
-    about(T, "the two ends of the chain");
-    same(T, left, right);
+    for (int corrected = 0; corrected <= 1; corrected++) {
+        G(curve_point)(!corrected, 7, 1, fault(T, R, P), beta, sub(from_int(1), t), left + corrected);
+        G(curve_point)(!corrected, 7, 1, P, beta, t, right + corrected);
+    }
+    found_points(T, "q(1-t), printed and corrected", 2, 1, left);
+    found_points(T, "q(t), printed and corrected", 2, 1, right);
+    about(T, "the two ends of the chain are one point, for the printed or the corrected functions");
+    refute(T, !equal_q(left[0], right[0]) && !equal_q(left[1], right[1]));
 }
 
 /*
@@ -765,28 +782,33 @@ where it is, do no harm.
 :zh: 平移后按式 (1) 的曲线形状改变
 :kind: counterexample
 :data: β = 1; P = (0,0) (1,0) (2,0) (3,0) (4,0) (5,0) (6,0) (7,0); v = (0,1); t = 1/2
-:result: curve of P at t = (217/64,0); curve of P + v at t = (217/64,31/32)
+:result: curve of P at t = (217/64,0); curve of P + v at t = (217/64,31/32); turns = 0 1
 :given: the right end of the range of $\beta$, points on a line, a vector $v$ across it, and the middle of the interval
-:then: the point of the second curve is not that of the first moved by $v$
-:method: Both points by the printed formulas.
+:then: the point of the second curve is not that of the first moved by $v$; and the shapes differ, since at 0, $t$ and 1 the first curve
+  has points of a line and the second turns left
+:method: The points by the printed formulas; the turn is the sign of a determinant.
 :control: the corrected functions
 :::
 */
 CLAIM(printed_curve_changes_under_translation)
 {
-    num beta = given(T, "β"), P[8 * dim], R[8 * dim], v[dim], before[dim], after[dim];
+    num beta = given(T, "β"), P[8 * dim], R[8 * dim], v[dim], before[3][dim], after[3][dim];
     int printed_ones = fault(T, 0, 1);
     given_points(T, "P", 8, dim, P);
     given_points(T, "v", 1, dim, v);
-    num t = given(T, "t");
+    num at[3] = {from_int(0), given(T, "t"), from_int(1)};
     for (int m = 0; m < 8 * dim; m++)
         R[m] = add(P[m], v[m % dim]);
-    G(curve_point)(printed_ones, 7, dim, P, beta, t, before);
-    G(curve_point)(printed_ones, 7, dim, R, beta, t, after);
-    found_points(T, "curve of P at t", 1, dim, before);
-    found_points(T, "curve of P + v at t", 1, dim, after);
-    about(T, "y of the second curve and y of the first moved");
-    same(T, after[1], add(before[1], v[1]));
+    for (int k = 0; k < 3; k++) {
+        G(curve_point)(printed_ones, 7, dim, P, beta, at[k], before[k]);
+        G(curve_point)(printed_ones, 7, dim, R, beta, at[k], after[k]);
+    }
+    int first = turn_2d(before[0], before[1], before[2]), second = turn_2d(after[0], after[1], after[2]);
+    found_points(T, "curve of P at t", 1, dim, before[1]);
+    found_points(T, "curve of P + v at t", 1, dim, after[1]);
+    found_points(T, "turns", 2, 1, (num[]){from_int(first), from_int(second)});
+    about(T, "y of the second curve is that of the first moved, or the shapes may be the same");
+    refute(T, !equal_q(after[1][1], add(before[1][1], v[1])) && first == 0 && second > 0);
 }
 #endif
 
@@ -854,8 +876,8 @@ CLAIM(printed_curve_follows_linear_maps_only)
     for (int i = 0; i <= 7; i++)
         for (int c = 0; c < dim; c++)
             R[i * dim + c] = G(image)(M, v, one, P + i * dim, c);
-    G(shape_point_printed)(dim, P, beta, t, at);
-    G(shape_point_printed)(dim, R, beta, t, moved);
+    G(curve_point)(1, 7, dim, P, beta, t, at);
+    G(curve_point)(1, 7, dim, R, beta, t, moved);
     /* M q̂(t) + (1 - 4β (1-t)³ t⁴) v */
     num factor = sub(one, mul(from_int(4), mul(beta, G(product_of_powers)(3, 4, t))));
     for (int c = 0; c < dim; c++)

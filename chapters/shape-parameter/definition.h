@@ -22,27 +22,31 @@ static inline num G(three_terms)(int a, int b, int c, num beta, num t)
     return add(from_int(a), mul(beta, add(from_int(b), mul(from_int(c), t))));
 }
 
-/* The function i of formula (1), to the letter. */
-static inline num G(printed)(int i, num beta, num t)
+/* The linear factor of function i of formula (1), to the letter, and the function. */
+static inline num G(printed_factor)(int i, num beta, num t)
 {
     switch (i) {
     case 0:
-        return mul(G(three_terms)(1, 0, -1, beta, t), G(product_of_powers)(7, 0, t));
+        return G(three_terms)(1, 0, -1, beta, t);
     case 1:
-        return mul(G(three_terms)(7, 1, -5, beta, t), G(product_of_powers)(6, 1, t));
+        return G(three_terms)(7, 1, -5, beta, t);
     case 2:
-        return mul(G(three_terms)(21, 4, -9, beta, t), G(product_of_powers)(5, 2, t));
+        return G(three_terms)(21, 4, -9, beta, t);
     case 3:
-        return mul(G(three_terms)(35, 5, -9, beta, t), G(product_of_powers)(4, 3, t));
+        return G(three_terms)(35, 5, -9, beta, t);
     case 4:
-        return mul(G(three_terms)(35, 0, 1, beta, t), G(product_of_powers)(3, 4, t));
+        return G(three_terms)(35, 0, 1, beta, t);
     case 5:
-        return mul(G(three_terms)(21, -5, 9, beta, t), G(product_of_powers)(2, 5, t));
+        return G(three_terms)(21, -5, 9, beta, t);
     case 6:
-        return mul(G(three_terms)(7, -4, 5, beta, t), G(product_of_powers)(1, 6, t));
+        return G(three_terms)(7, -4, 5, beta, t);
     default:
-        return mul(G(three_terms)(1, -1, 1, beta, t), G(product_of_powers)(0, 7, t));
+        return G(three_terms)(1, -1, 1, beta, t);
     }
+}
+static inline num G(printed)(int i, num beta, num t)
+{
+    return mul(G(printed_factor)(i, beta, t), G(product_of_powers)(7 - i, i, t));
 }
 
 /* a_i = C(n-2,i-1) - C(n-2,i-2) */
@@ -72,13 +76,16 @@ static inline num G(printed_curve)(int dim, const num P[], int c, num beta, num 
     return sum;
 }
 
-/* The factors and the Bernstein coefficients of degree n+1 of the printed (n = 7) or the corrected functions. */
+/* What follows is of the printed functions (n = 7), by the letter of formula (1), or of the corrected ones, by the kernels: the
+ * factors at t = 0 and t = 1 and the Bernstein coefficients of degree n+1. */
 static inline void G(factors_of)(int printed_ones, int n, num beta, num near[], num far[])
 {
-    if (printed_ones)
-        G(shape_factors_printed)(beta, near, far);
-    else
+    if (!printed_ones)
         G(shape_factors)(n, beta, near, far);
+    for (int i = 0; printed_ones && i <= 7; i++) {
+        near[i] = G(printed_factor)(i, beta, from_int(0));
+        far[i] = G(printed_factor)(i, beta, from_int(1));
+    }
 }
 static inline void G(matrix_of)(int printed_ones, int n, num beta, num E[])
 {
@@ -90,19 +97,19 @@ static inline void G(matrix_of)(int printed_ones, int n, num beta, num E[])
 /* The values of the n+1 functions at t. */
 static inline void G(functions_of)(int printed_ones, int n, num beta, num t, num B[])
 {
-    if (printed_ones)
-        G(shape_basis_printed)(beta, t, B);
-    else
+    if (!printed_ones)
         G(shape_basis)(n, beta, t, B);
+    for (int i = 0; printed_ones && i <= 7; i++)
+        B[i] = G(printed)(i, beta, t);
 }
 
 /* The point of the curve of P at t, dim coordinates. */
 static inline void G(curve_point)(int printed_ones, int n, int dim, const num P[], num beta, num t, num at[])
 {
-    if (printed_ones)
-        G(shape_point_printed)(dim, P, beta, t, at);
-    else
+    if (!printed_ones)
         G(shape_point)(n, dim, P, beta, t, at);
+    for (int c = 0; printed_ones && c < dim; c++)
+        at[c] = G(printed_curve)(dim, P, c, beta, t);
 }
 
 /* The n+2 Bézier points of degree n+1 of the curve of P, dim coordinates, from the matrix. */

@@ -51,7 +51,7 @@ $i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $2
 CLAIM(third_function_is_negative)
 {
     num beta = given(T, "β"), B[8];
-    G(shape_basis_printed)(beta, given(T, "t"), B);
+    G(functions_of)(1, 7, beta, given(T, "t"), B);
     found(T, "B_2(t)", B[2]);
     about(T, "B_2(t) >= 0");
     nonnegative(T, B[2]);
@@ -118,7 +118,8 @@ one maximum of the function is between these two.
   third_function_falls_then_rises_below_the_range first_function_falls_and_last_rises
 :meant: the heading, one peak | Each function has exactly one local maximum on $[0,1]$.
 :reading: third_function_falls_then_rises_below_the_range | local maxima in the open interval only, for $i=1,\dots,6$ and
-  $-7\le\beta<-\frac{21}4$: then each has one there, too
+  $-7\le\beta<-\frac{21}4$: then each has one there, too; $B_0$, which falls, and $B_7$, which rises, have none
+:reading-with: derivative_of_a_function_factors quadratic_factor_changes_its_sign_once first_function_falls_and_last_rises
 :figure: negative_function
 :::
 
@@ -261,8 +262,8 @@ printed range.
 :data: range of β = -7 1
 :instead: range of β = -8 1
 :given: the printed range of $\beta$, the printed and the corrected functions, $n=7$
-:then: $\varphi_0-(n+1)\nu_0\le0$ and $-n\varphi_0\le0$, not both 0, so that the linear factor of the derivative is negative in $(0,1)$ and
-  $B_0$ falls from 1 to 0; $n\nu_n\ge0$ and $(n+1)\varphi_n-\nu_n\ge0$, not both 0, so that $B_n$ rises from 0 to 1
+:then: $\varphi_0-(n+1)\nu_0\le0$ and $-n\varphi_0\le0$, not both 0, so that the linear factor of the derivative is negative in $(0,1)$, and
+  $\nu_0=1$: $B_0$ falls from 1 to 0; $n\nu_n\ge0$ and $(n+1)\varphi_n-\nu_n\ge0$, not both 0, and $\varphi_n=1$: $B_n$ rises from 0 to 1
 :method: The signs of linear polynomials in $\beta$, decided on the interval.
 :degrees: 7..7
 :scope: −7 ≤ β ≤ 1
@@ -283,8 +284,7 @@ CLAIM(first_function_falls_and_last_rises)
         agree(T, sign_on(poly_add(falls[0], falls[1]), low, high, CLOSED) == SIGN_NEGATIVE);
         agree(T, is_nonnegative_on(rises[0], low, high) && is_nonnegative_on(rises[1], low, high));
         agree(T, sign_on(poly_add(rises[0], rises[1]), low, high, CLOSED) == SIGN_POSITIVE);
-        agree(T, sign_on(near[0], low, high, CLOSED) == SIGN_POSITIVE &&
-                     sign_on(far[7], low, high, CLOSED) == SIGN_POSITIVE);
+        agree(T, poly_equal(near[0], poly_constant(from_int(1))) && poly_equal(far[7], poly_constant(from_int(1))));
     }
 }
 
@@ -407,7 +407,7 @@ CLAIM(second_function_decreases)
     num t = given(T, "t"), beta[2], value[2], B[8];
     given_points(T, "β", 2, 1, beta);
     for (int k = 0; k < 2; k++) {
-        G(shape_basis_printed)(beta[k], t, B);
+        G(functions_of)(1, 7, beta[k], t, B);
         value[k] = B[1];
     }
     found_points(T, "B_1(t)", 2, 1, value);
@@ -444,8 +444,8 @@ CLAIM(slopes_in_beta)
     num beta = unknown(T, "beta", 0), h = unknown(T, "h", 0), t = parameter(T, "t"), low[2][8], high[2][8];
     G(shape_basis)(7, beta, t, low[0]);
     G(shape_basis)(7, add(beta, h), t, high[0]);
-    G(shape_basis_printed)(beta, t, low[1]);
-    G(shape_basis_printed)(add(beta, h), t, high[1]);
+    G(functions_of)(1, 7, beta, t, low[1]);
+    G(functions_of)(1, 7, add(beta, h), t, high[1]);
     for (int printed_ones = 0; printed_ones <= 1; printed_ones++)
         for (int i = 0; i <= 7; i++) {
             /* h (b_i + c_i t) s^{7-i} t^i */
