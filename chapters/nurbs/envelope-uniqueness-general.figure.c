@@ -134,8 +134,8 @@ FIGURE(divisor_zero)
         char name[8];
         height = i > 0 && knot[i] == knot[i - 1] ? height + 1 : 0;
         snprintf(name, sizeof name, "t_%d", i + 1);
-        svg_mark(s, at(q(knot[i]), r(height, 3)), SVG_POINT, SVG_USUAL);
-        svg_label(s, at(q(knot[i]), r(height, 3)), height > 0 ? SVG_W : SVG_SW, SVG_POINT, name);
+        svg_mark(s, at(q(knot[i]), r(height, 2)), SVG_POINT, SVG_USUAL);
+        svg_label(s, at(q(knot[i]), r(height, 2)), height > 0 ? SVG_W : SVG_SW, SVG_POINT, name);
     }
     for (int i = 2; i <= 5; i++) { /* [t_i, t_{i+k-r}] */
         num_q left = q(knot[i - 1]), right = q(knot[i + 1]), y = sub_q(r(1, 2), r(3 * i, 4));
