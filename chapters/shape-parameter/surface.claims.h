@@ -37,7 +37,7 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 :printed: figure 3 shows the petals (花瓣图形) of the closed curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that they look like petals: the polygon is not given, so that nothing is there to be decided
 :reading: printed_points_move_evenly_with_beta | with the printed functions, for any polygon, the points of one $t$ on the nine curves are on a
-  straight line in equal distances; which polygon it is, is not said
+  straight line in equal distances, or are one point; which polygon it is, is not said
 :reading: points_move_evenly_with_beta | the same with the corrected functions
 :figure: petals
 :::
@@ -57,8 +57,8 @@ the point.  In the field this shows that the double sum (22) is what the kernel 
 :confirmed-by: surface_kernel_gives_the_double_sum
 :figure: shape_surface
 
-One parameter serves both directions; the kernel has one for each.  A coordinate of the surface comes from
-that coordinate of the points alone.
+One parameter serves both directions; `shape_surface_point`, the kernel of the corrected functions, has one for each.  A coordinate of the
+surface comes from that coordinate of the points alone, and so the same is true in every $\mathbb R^d$.
 :::
 */
 
@@ -128,24 +128,24 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :class: false
 :corrected: with the printed functions as with the corrected ones (`sec-2-properties`) the corners are $P_{00},P_{07},P_{70},P_{77}$ and the border
   curves those of the first and last row and column; the derivative by $u$ is $(7+\beta)\sum_j(P_{1j}-P_{0j})B_{j,7}(v)$ at $u=0$ and
-  $(7+\beta)\sum_j(P_{7j}-P_{6j})B_{j,7}(v)$ at $u=1$, and likewise that by $v$; with the corrected ones symmetry and affine maps for every
-  $\beta$, the convex hull for $-\frac{21}4\le\beta\le1$
+  $(7+\beta)\sum_j(P_{7j}-P_{6j})B_{j,7}(v)$ at $u=1$, and likewise that by $v$, in a corner $7+\beta$ times the edge of the net; with the corrected ones
+  symmetry and affine maps for every $\beta$, the convex hull for $-\frac{21}4\le\beta\le1$
 :corrected-by: functions_vanish_to_their_orders_at_the_ends surface_derivatives_across_the_border corrected_functions_are_mirror_images
   surface_functions_sum_to_one nonnegative_exactly_in_the_range
 :confirmed-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
   net_of_straight_lines_gives_a_saddle
 :reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows
-  and columns are: they may all be straight and the surface be a saddle, for every $\beta$
-  (`net_of_straight_lines_gives_a_saddle`)
-:reading: larger_beta_takes_the_curve_away_from_its_polygon | approximation of the net (property 3.5): where its eight columns are one polygon,
-  the surface is the curve of this polygon for $\beta=0$, and for $\beta=1$ has that curve as its border $v=0$
+  and columns are: they may all be straight and the surface be convex to no side
+:reading: larger_beta_takes_the_curve_away_from_its_polygon | approximation of the net (property 3.5): where its eight columns are one polygon, the
+  surface of $\beta=0$ is the curve of this polygon for $\beta=0$, and that of $\beta=1$ has the curve for $\beta=1$ as its border $v=0$
 :reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say
   what they are for a net, so that nothing is there to be decided
 :meant: the word "similar", after the properties of section 3 | The properties that section 3 prints for the curve,
   said of the surface.
 :figure: shape_surface
 
-With the printed functions the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.
+With the printed functions the 64 products add up to $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.  With the corrected ones the surface of the net of the
+first reading is a saddle, $z=xy$, for every $\beta$ (`net_of_straight_lines_gives_a_saddle`).
 
 A function of the surface is a product $B_i(u)B_j(v)$.  At $u=0$ all $B_i(u)$ but the first are 0, so that the border is the
 curve of the first row; mirror images, the sum 1 (with it affine maps) and the sign pass from the factors to the products.
@@ -398,21 +398,23 @@ CLAIM(net_of_straight_lines_gives_a_saddle)
 :title: A surface of straight rows and columns is above one diagonal and below the other
 :zh: 行列皆直的控制网,其曲面不凸
 :kind: counterexample
-:data: β = 1; coefficients of i², ij, j² in the height = 0 1 0; u = 1/2; v = 1/2
+:data: β = -7 -21/4 0 1; coefficients of i², ij, j² in the height = 0 1 0; u = 1/2; v = 1/2
 :instead: coefficients of i², ij, j² in the height = 1 0 1
-:result: point of the surface = (7/2,7/2,49/4); heights of the two chords = 49/2 0
-:given: the net of the points $P_{ij}=(i,j,z_{ij})$, whose height $z_{ij}$ is a quadratic form of $i$ and $j$; the right
-  end of the range of $\beta$, corrected functions; the middle of the square
-:then: the point of the surface is below the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$, so
-  convex to no side
-:method: The height of the point of the surface and of the two chords above it.  The control: a net whose columns and rows
-  are convex to one side.
+:result: points of the surfaces = (7/2,7/2,49/4) (7/2,7/2,49/4) (7/2,7/2,49/4) (7/2,7/2,49/4); middles of the two chords = (7/2,7/2,49/2) (7/2,7/2,0)
+:given: the net of the points $P_{ij}=(i,j,z_{ij})$, whose height $z_{ij}$ is a quadratic form of $i$ and $j$; four values of $\beta$, corrected functions;
+  the middle of the square
+:then: for each $\beta$ the point of the surface is below the middle of the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$; so the
+  surface is convex to no side
+:method: The points of the surfaces and the middles of the two chords, which are above one another, and their heights.  The control: a net whose columns and
+  rows are convex to one side.
 :control: a sum of squares for the height
 :::
 */
 CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
 {
-    num beta = given(T, "β"), form[3], P[8 * 8 * 3], at[3], half = from_ratio(1, 2), chord[2];
+    num beta[4], form[3], P[8 * 8 * 3], at[4 * 3], half = from_ratio(1, 2), chord[2 * 3];
+    int one_side = 0, above = 1;
+    given_points(T, "β", 4, 1, beta);
     given_points(T, "coefficients of i², ij, j² in the height", 3, 1, form);
     for (int m = 0; m < 64; m++) {
         int i = m / 8, j = m % 8;
@@ -422,13 +424,21 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
             add(mul(form[0], from_int(i * i)), add(mul(form[1], from_int(i * j)), mul(form[2], from_int(j * j))));
     }
     num u = given(T, "u"), v = given(T, "v");
-    G(shape_surface_point)(7, 7, 3, P, beta, beta, u, v, at);
-    chord[0] = mul(half, add(P[2], P[63 * 3 + 2]));
-    chord[1] = mul(half, add(P[7 * 3 + 2], P[56 * 3 + 2]));
-    found_points(T, "point of the surface", 1, 3, at);
-    found_points(T, "heights of the two chords", 2, 1, chord);
-    about(T, "the point is on one side of both chords");
-    agree(T, sign_q(sub(at[2], chord[0])) * sign_q(sub(at[2], chord[1])) > 0);
+    for (int c = 0; c < 3; c++) {
+        chord[c] = mul(half, add(P[c], P[63 * 3 + c]));
+        chord[3 + c] = mul(half, add(P[7 * 3 + c], P[56 * 3 + c]));
+    }
+    for (int k = 0; k < 4; k++) {
+        num *point = at + 3 * k;
+        G(shape_surface_point)(7, 7, 3, P, beta[k], beta[k], u, v, point);
+        one_side += sign_q(sub(point[2], chord[2])) * sign_q(sub(point[2], chord[5])) > 0;
+        for (int c = 0; c < 2; c++)
+            above = above && equal_q(point[c], chord[c]) && equal_q(point[c], chord[3 + c]);
+    }
+    found_points(T, "points of the surfaces", 4, 3, at);
+    found_points(T, "middles of the two chords", 2, 3, chord);
+    about(T, "for some beta the point is not above or below the middles, or on one side of both");
+    refute(T, above && one_side == 0);
 }
 
 /*
@@ -448,7 +458,7 @@ values of $\beta$ are not compared.
 :::
 
 :::{claim} nets_that_do_not_move
-:title: Only nets of constant blocks have the same surface for all beta
+:title: The nets that have the same surface for all beta
 :zh: 与 β 无关的控制网
 :kind: decision
 :data: k, corrected functions = 1 1 1 1 0 0 0 0; k', corrected functions = 0 0 0 0 1 1 1 1;
