@@ -28,11 +28,12 @@ sense, for a triangle and its base.
   curve_of_a_triangle_meets_a_line_three_times
 :class: false
 :corrected: true for the corrected functions (`sec-2-properties`) and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not
-  on a line, and common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
+  on a line, and common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$; with the printed functions false for
+  every $\beta$ of the printed range but 0
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes
     linear_factor_adds_a_change_of_sign four_vertices_of_a_convex_polygon_do_not_alternate
-  triangle_has_three_points_on_its_base_below_the_range functions_are_independent_but_for_two_values
-  line_function_of_the_curve combination_begins_and_ends_with_its_coefficients
+  triangle_has_three_points_on_its_base_below_the_range printed_curves_of_convex_polygons_meet_lines_four_times
+  functions_are_independent_but_for_two_values line_function_of_the_curve combination_begins_and_ends_with_its_coefficients
 :confirmed-by: roots_are_at_most_sign_changes third_function_has_a_zero_for_every_smaller_beta
 :meant: the word point of intersection (交点) | Common points are counted as points of the plane.
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
@@ -237,6 +238,59 @@ CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
     found_text(T, "x'(t) > 0 on [0,1]", grows ? "yes" : "no");
     about(T, "the polygon is not convex, or there are at most two common points");
     refute(T, polygon_is_convex(7, m.P, 0, NULL) && grows && m.curve.common_closed > 2);
+}
+#endif
+
+#if FIELD || RATIONAL
+/*
+The polygon of this example may be moved nearer to the origin, or to the other side of it, when $\beta$ is another; so it is
+with every $\beta$ but 0.
+
+:::{claim} printed_curves_of_convex_polygons_meet_lines_four_times
+:title: For every beta of the printed range but 0 the printed curve of a convex polygon has four points on a line
+:zh: -7≤β≤1、β≠0 时按式 (1) 凸多边形的曲线与直线有四个公共点
+:given: $-7\le\beta\le1$, $\beta\ne0$, $c=\frac{40}\beta$; the points $(0,c),(1,c+1),(2,c+1),\dots,(6,c+1),(7,c)$, a convex polygon, and the line $y=c+\frac1{1000}$;
+  printed functions
+:harmless: convex polygon | it is the one whose points stand there
+:then: at $t=0,\frac1{100},\frac12,\frac{99}{100},1$ the curve is below the line, above, below, above and below it, and $x'>0$ in $(0,1)$: it crosses the line in at
+  least four points of the plane
+:method: The printed curve at the five parameters, $\beta=-7+\frac{8r}{1+r}$ with $r>0$ a variable, and $\beta=-7$ and $1$: the distances from the line, being linear in
+  $\beta$, are quotients with coefficients of one sign.  $x'$ is linear in $\beta$ too, and its sign on $(0,1)$ is decided for $-7$ and $1$.
+:types: field rational
+:degrees: 7..7
+:scope: −7 ≤ β ≤ 1, β ≠ 0
+:over: r: -
+:control: $c=\frac{30}\beta$
+:::
+*/
+CLAIM(printed_curves_of_convex_polygons_meet_lines_four_times)
+{
+    static const int place[] = {0, 1, 50, 99, 100}; /* hundredths */
+    num P[8 * dim], at[dim], r = positive(T, "r", 0), one = from_int(1), low = from_int(-7);
+    num beta[3] = {low, add(low, mul(from_int(8), div(r, add(one, r)))), one};
+    for (int b = 0; b < 3; b++) {
+        num c = div(from_int(fault(T, 40, 30)), beta[b]), line = add(c, from_ratio(1, 1000));
+        for (int i = 0; i <= 7; i++) {
+            P[i * dim] = from_int(i);
+            P[i * dim + 1] = i % 7 == 0 ? c : add(c, one);
+        }
+        for (int k = 0; k < 5; k++) {
+            G(shape_point_printed)(dim, P, beta[b], from_ratio(place[k], 100), at);
+            num above = sub(at[1], line);
+            about(T, k % 2 == 1 ? "how far the curve is above the line" : "how far the curve is below the line");
+            G(must_be_positive)(T, k % 2 == 1 ? above : neg(above));
+        }
+#if RATIONAL
+        num Q[9 * dim], x[9];
+        about(T, "the polygon is convex");
+        agree(T, polygon_is_convex(7, P, 1, NULL));
+        G(bezier_points_of)(1, 7, dim, P, beta[b], Q);
+        for (int k = 0; k <= 8; k++)
+            x[k] = Q[k * dim];
+        about(T, "x grows");
+        agree(T, sign_on(poly_derivative(poly_from_bernstein(8, x)), from_int(0), one, OPEN) == SIGN_POSITIVE);
+#endif
+    }
 }
 #endif
 

@@ -65,6 +65,7 @@ CLAIM(combination_begins_and_ends_with_its_coefficients)
 :zh: (0,1) 内根的个数的奇偶性决定两端的符号
 :given: a polynomial $f=(t-r_1)\cdots(t-r_m)\,g$ with the roots $r_i$ in $(0,1)$, each as often as its multiplicity, $m=1,\dots,8$; $f$ of a degree of at most 8,
   $f(0),f(1)\ne0$; $g$ has the values $a$ and $b$ at $0$ and $1$, of one sign, since it has no root in $[0,1]$
+:harmless: $f(0),f(1)\ne0$ | the signs at the ends are what is compared, and 0 has none
 :then: $(-1)^mf(0)f(1)=ab\,r_1(1-r_1)\cdots r_m(1-r_m)>0$
 :method: $r_i=s_i/(1+s_i)$ with $s_i>0$ a variable, $a$ and $b$ positive variables; with $-g$ both change their signs.
 :types: field rational
