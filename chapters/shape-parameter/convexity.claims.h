@@ -275,7 +275,7 @@ CLAIM(printed_curves_of_convex_polygons_meet_lines_four_times)
             P[i * dim + 1] = i % 7 == 0 ? c : add(c, one);
         }
         for (int k = 0; k < 5; k++) {
-            G(shape_point_printed)(dim, P, beta[b], from_ratio(place[k], 100), at);
+            G(curve_point)(1, 7, dim, P, beta[b], from_ratio(place[k], 100), at);
             num above = sub(at[1], line);
             about(T, k % 2 == 1 ? "how far the curve is above the line" : "how far the curve is below the line");
             G(must_be_positive)(T, k % 2 == 1 ? above : neg(above));

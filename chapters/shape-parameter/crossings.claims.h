@@ -216,7 +216,7 @@ coefficients are 0 but for one, so they do not change their sign.
 :zh: β<-21/4 时 B_2 在 (0,4/9) 内有零点
 :given: any $\beta=-\frac{21}4-b$, $b>0$; printed and corrected functions
 :then: $B_2$ vanishes at $t=\frac{4b}{9(21/4+b)}$, which is in $(0,\frac49)$ and not a root of the other factors
-:method: The value of the kernel at this $t$, $b$ a variable; the two bounds have coefficients of one sign.  So with
+:method: The values of the function at this $t$, $b$ a variable; the two bounds have coefficients of one sign.  So with
   $k=(0,0,1,0,\dots)$ there is a root and no change of sign.  With the points
   $(0,0),(0,0),(1,1),(2,0),\dots,(2,0)$ the height of the curve is $B_2$, and it has $t=0$, this $t$ and $t=1$ on the line $y=0$.
 :types: field rational
@@ -233,10 +233,10 @@ CLAIM(third_function_has_a_zero_for_every_smaller_beta)
     num beta = neg(add(quarter, b)), given = fault(T, b, mul(from_int(2), b));
     /* t = 4b/(9 (21/4 + b)) */
     num t = div(mul(four, given), mul(from_int(9), add(quarter, given))), B[8];
-    G(shape_basis)(7, beta, t, B);
-    vanishes(T, B[2]);
-    G(shape_basis_printed)(beta, t, B);
-    vanishes(T, B[2]);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        G(functions_of)(printed_ones, 7, beta, t, B);
+        vanishes(T, B[2]);
+    }
     G(must_be_positive)(T, t);
     G(must_be_positive)(T, sub(from_ratio(4, 9), t));
 }
@@ -247,7 +247,7 @@ CLAIM(third_function_has_a_zero_for_every_smaller_beta)
 :zh: β>1 时 B_0 在 (0,1) 内有零点
 :given: any $\beta=1+b$, $b>0$; printed and corrected functions
 :then: $B_0$ vanishes at $t=\frac1{1+b}$, which is in $(0,1)$
-:method: The value of the kernel at this $t$, $b$ a variable; with $k=(1,0,\dots,0)$ there is a root and no change of sign.
+:method: The values of the function at this $t$, $b$ a variable; with $k=(1,0,\dots,0)$ there is a root and no change of sign.
 :types: field rational
 :degrees: 7..7
 :scope: every β > 1
@@ -260,10 +260,10 @@ CLAIM(first_function_has_a_zero_for_every_larger_beta)
 {
     num b = positive(T, "b", 0), one = from_int(1), B[8];
     num beta = add(one, b), t = div(one, add(one, fault(T, b, add(b, b))));
-    G(shape_basis)(7, beta, t, B);
-    vanishes(T, B[0]);
-    G(shape_basis_printed)(beta, t, B);
-    vanishes(T, B[0]);
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        G(functions_of)(printed_ones, 7, beta, t, B);
+        vanishes(T, B[0]);
+    }
     G(must_be_positive)(T, t);
     G(must_be_positive)(T, sub(one, t));
 }

@@ -299,10 +299,7 @@ CLAIM(line_function_of_the_curve)
     for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
         num sum = from_int(0);
         G(functions_of)(printed_ones, n, beta, t, B);
-        if (printed_ones)
-            G(shape_point_printed)(dim, P, beta, t, at);
-        else
-            G(shape_point)(n, dim, P, beta, t, at);
+        G(curve_point)(printed_ones, n, dim, P, beta, t, at);
         for (int j = 0; j <= n; j++) {
             num w[dim] = {sub(P[j * dim], Q[0]), sub(P[j * dim + 1], Q[1])};
             sum = add(sum, mul(B[j], fault(T, G(dot)(dim, w, u), j == 0 ? G(dot)(dim, P, u) : G(dot)(dim, w, u))));

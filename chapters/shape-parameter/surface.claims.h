@@ -129,9 +129,9 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :corrected: with the printed functions as with the corrected ones (`sec-2-properties`) the corners are $P_{00},P_{07},P_{70},P_{77}$ and the border
   curves those of the first and last row and column; the derivative by $u$ is $(7+\beta)\sum_j(P_{1j}-P_{0j})B_{j,7}(v)$ at $u=0$ and
   $(7+\beta)\sum_j(P_{7j}-P_{6j})B_{j,7}(v)$ at $u=1$, and likewise that by $v$, in a corner $7+\beta$ times the edge of the net; with the corrected ones
-  symmetry and affine maps for every $\beta$, the convex hull for $-\frac{21}4\le\beta\le1$
+  symmetry and affine maps for every $\beta$, the convex hull exactly for $-\frac{21}4\le\beta\le1$; with the printed ones these three only for $\beta=0$
 :corrected-by: functions_vanish_to_their_orders_at_the_ends surface_derivatives_across_the_border corrected_functions_are_mirror_images
-  surface_functions_sum_to_one nonnegative_exactly_in_the_range
+  printed_outer_functions_are_mirror_images surface_functions_sum_to_one nonnegative_exactly_in_the_range
 :confirmed-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
   net_of_straight_lines_gives_a_saddle
 :reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows
@@ -148,7 +148,10 @@ With the printed functions the 64 products add up to $(1-4\beta(1-u)^3u^4)(1-4\b
 first reading is a saddle, $z=xy$, for every $\beta$ (`net_of_straight_lines_gives_a_saddle`).
 
 A function of the surface is a product $B_i(u)B_j(v)$.  At $u=0$ all $B_i(u)$ but the first are 0, so that the border is the
-curve of the first row; mirror images, the sum 1 (with it affine maps) and the sign pass from the factors to the products.
+curve of the first row; mirror images, the sum 1 (with it affine maps) and the sign pass from the factors to the products.  For $\beta$ outside the
+range some $B_i(u)<0$, and this is the value of the surface of the net that is 1 in row $i$ and 0 elsewhere.  With the printed functions and $\beta\ne0$ the
+surface of 64 equal points that are not the origin is no point, and the surface of a net that is 0 but for $P_{30}$ is not that of the reversed net
+backwards.
 :::
 
 The statement names no property, so what section 3 prints for the curve is taken one by one.  What is at the ends of the curve is at the
