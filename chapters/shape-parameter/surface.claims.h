@@ -5,6 +5,7 @@ What is left of the paper are its applications, closed curves and a surface, and
 it is new.  The surface is a curve of curves, so that it inherits most of what is true of the curve, and all that is false.
 */
 #if RATIONAL
+#include "exact/record/hull.h"
 #include "exact/record/sign.h"
 
 #include "chapters/judge/counting.h"
@@ -18,6 +19,7 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 #endif
 
 #include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
 
 #include "chapters/judge/claims_on.h"
 
@@ -136,8 +138,8 @@ CLAIM(surface_kernel_gives_the_double_sum)
   net_of_straight_lines_gives_a_saddle
 :reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows
   and columns are: they may all be straight and the surface be convex to no side
-:reading: larger_beta_takes_the_curve_away_from_its_polygon | approximation of the net (property 3.5): where its eight columns are one polygon, the
-  surface of $\beta=0$ is the curve of this polygon for $\beta=0$, and that of $\beta=1$ has the curve for $\beta=1$ as its border $v=0$
+:reading: larger_beta_takes_the_surface_away_from_its_net | approximation of the net (property 3.5), points of the surface being compared by their largest
+  distance from the net
 :reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say
   what they are for a net, so that nothing is there to be decided
 :meant: the word "similar", after the properties of section 3 | The properties that section 3 prints for the curve,
@@ -247,8 +249,54 @@ CLAIM(surface_leaves_the_hull_at_minus_seven)
         found(T, surface_of[printed_ones], sum);
         inside += sign_q(sum) >= 0;
     }
-    about(T, "the surface is not negative, as its points are");
+    about(T, "the surface is not negative, as its points are not");
     agree(T, inside > 0);
+}
+
+/*
+:::{claim} larger_beta_takes_the_surface_away_from_its_net
+:title: A larger beta takes a surface away from its net
+:zh: β 增大而曲面远离控制网
+:kind: counterexample
+:data: P = (-1,-1) (2,0) (2,-2) (1,-2) (1,-2) (0,0) (2,2) (2,1); β = 0 1; r² = 23/50; u = 3/16; v = 0
+:instead: β = 1 0
+:result: surface at (u, v), corrected = (5535206357/4294967296,-559496945/536870912);
+  surface at (u, v), printed = (5523817109/4294967296,-556649633/536870912)
+:given: the net $P_{ij}=P_i$, whose columns are one polygon and whose rows are single points; two values of $\beta$, the square of a distance, a $u$ and a $v$; printed and
+  corrected functions
+:then: for the first $\beta$ every point of the surface is nearer to the polygon, which is the whole net, than $r$; for the second the point of $u$ and $v$ is farther
+:method: The surface is $q(u)\sum_jB_j(v)$ with the curve $q$ of the polygon.  For the first $\beta$ the sum is 1, as its nine coefficients are, so that the surface
+  is the curve, and nearer than $r$ as a curve is (`distance.h`); the farther point by the double sum, against all seven edges.
+:control: the two values of $\beta$ exchanged
+:::
+*/
+CLAIM(larger_beta_takes_the_surface_away_from_its_net)
+{
+    static const char *const surface_of[] = {"surface at (u, v), corrected", "surface at (u, v), printed"};
+    num P[8 * dim], beta[2], r_squared = given(T, "r²"), one = from_int(1), ones[8], coefficients[9];
+    int farther = 1;
+    given_points(T, "P", 8, dim, P);
+    given_points(T, "β", 2, 1, beta);
+    num u = given(T, "u"), v = given(T, "v");
+    for (int j = 0; j <= 7; j++)
+        ones[j] = one;
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        num U[8], V[8], at[dim] = {from_int(0), from_int(0)};
+        G(bezier_points_of)(printed_ones, 7, 1, ones, beta[0], coefficients);
+        for (int k = 0; k <= 8; k++)
+            farther = farther && equal_q(coefficients[k], one);
+        struct G(path) q = G(path_in)(printed_ones, 7, P, beta[0]);
+        farther = farther && G(nearer_than)(q, 7, P, r_squared, from_int(0), one, 9);
+        G(functions_of)(printed_ones, 7, beta[1], u, U);
+        G(functions_of)(printed_ones, 7, beta[1], v, V);
+        for (int m = 0; m < 64; m++)
+            for (int c = 0; c < dim; c++)
+                at[c] = add(at[c], mul(P[m / 8 * dim + c], mul(U[m / 8], V[m % 8])));
+        found_points(T, surface_of[printed_ones], 1, dim, at);
+        farther = farther && compare_q(G(distance_squared)(7, P, at), r_squared) > 0;
+    }
+    about(T, "with one of the two families the surface of the larger beta is not farther");
+    refute(T, farther);
 }
 #endif
 
