@@ -240,12 +240,17 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
   curve_on_a_line_that_its_polygon_crosses
 :class: false
-:corrected: true for the corrected functions (`sec-2-properties`) and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the
-  curve is not on $L$
+:corrected: for the common points with $0<t<1$, when the curve is not on $L$: true for the corrected functions (`sec-2-properties`) exactly if
+  $-\frac{21}4\le\beta\le1$, for the printed ones only for $\beta=0$
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero nonnegative_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  linear_factor_adds_a_change_of_sign line_function_of_the_curve
+  linear_factor_adds_a_change_of_sign line_function_of_the_curve third_function_has_a_zero_for_every_smaller_beta first_function_has_a_zero_for_every_larger_beta
+  printed_sum_in_closed_form
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: crossings_off_the_polygon
+
+Below the range and above it one function has a zero inside: with $u\cdot(P_i-Q)=1$ for this $i$ and 0 for the others it is a common point, and $SA$ is 0.  With the
+printed functions and $\beta\ne0$ the curve of eight equal points $P$ that are not the origin is $(1-4\beta(1-t)^3t^4)P$, and meets lines for which all
+$u\cdot(P-Q)$ are equal and not 0.
 :::
 
 :::{claim} curve_and_line_share_an_end
