@@ -28,11 +28,12 @@ sense, for a triangle and its base.
   curve_of_a_triangle_meets_a_line_three_times
 :class: false
 :corrected: true for the corrected functions (`sec-2-properties`) and $-\frac{21}4\le\beta\le1$, if the polygon is convex when closed and not
-  on a line, and common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$
+  on a line, and common points are counted as points of the plane; false for every $\beta$ with $-7\le\beta<-\frac{21}4$; with the printed functions false for
+  every $\beta$ of the printed range but 0
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes
     linear_factor_adds_a_change_of_sign four_vertices_of_a_convex_polygon_do_not_alternate
-  triangle_has_three_points_on_its_base_below_the_range functions_are_independent_but_for_two_values
-  line_function_of_the_curve combination_begins_and_ends_with_its_coefficients
+  triangle_has_three_points_on_its_base_below_the_range printed_curves_of_convex_polygons_meet_lines_four_times
+  functions_are_independent_but_for_two_values line_function_of_the_curve combination_begins_and_ends_with_its_coefficients
 :confirmed-by: roots_are_at_most_sign_changes third_function_has_a_zero_for_every_smaller_beta
 :meant: the word point of intersection (交点) | Common points are counted as points of the plane.
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
@@ -49,13 +50,9 @@ at $\beta=-\frac{21}4$ for multiples of coefficients that change their sign thre
 :title: A line meets a convex polygon at most twice
 :zh: 直线与凸控制多边形的交点
 :printed: this is because a line and the (convex) control polygon have at most two points of intersection
-:holds-by: four_vertices_of_a_convex_polygon_do_not_alternate sign_changes_are_polygon_crossings
+:holds-by: vertex_off_a_line_puts_a_point_between_two four_vertices_of_a_convex_polygon_do_not_alternate sign_changes_are_polygon_crossings
   points_between_two_on_one_side_are_on_it
 :hypothesis: line_along_an_edge_has_three_points_of_a_convex_polygon | the line contains no edge; crossings are at most two in any case
-:argued: | From crossings to points: three different points $X,Y,Z$ of the polygon on the line, in its order, may be taken for vertices, for no
-  determinant becomes negative. A vertex $V$ between $X$ and $Y$ and off the line has $D_{XVY},D_{YZV},D_{ZXV}\ge0$, by which $Z$ lies between
-  $X$ and $Y$; one between $Y$ and $Z$ puts $X$ between $Y$ and $Z$. Not both can be; so from $X$ to $Y$ or from $Y$ to $Z$ the polygon is on the
-  line, which contains an edge.
 :figure: line_along_an_edge
 :degree: 7
 :::
@@ -217,22 +214,83 @@ CLAIM(triangle_has_three_points_on_its_base_below_the_range)
 :zh: 按式 (1) 凸多边形的曲线与直线有四个交点
 :kind: counterexample
 :data: β = 1; P = (0,100) (1,101) (2,101) (3,101) (4,101) (5,101) (6,101) (7,100); Q = (0,401/4); u = (0,1)
-:result: common points of the curve = 4; crossings of the curve = 4; crossings of the polygon = 2
+:result: common points of the curve = 4; crossings of the curve = 4; crossings of the polygon = 2; x'(t) > 0 on [0,1] = "yes"
 :given: the right end of the range of $\beta$, a flat convex polygon, and the line through $Q$ with the normal vector $u$,
   a little above its ends
-:then: the polygon is convex, and the curve crosses the line twice as often as the polygon
-:method: The common points and the crossings are counted exactly; `hull.h` decides that the polygon is convex.
+:then: the polygon is convex, and the curve crosses the line twice as often as the polygon, in four points of the plane
+:method: The common points and the crossings are counted exactly, by their parameters; as $x$ grows with $t$, which the sign of $x'$ on $[0,1]$
+  decides, they are different points.  `hull.h` decides that the polygon is convex.
 :control: the corrected functions
 :::
 */
 CLAIM(printed_curve_of_a_convex_polygon_meets_a_line_four_times)
 {
-    struct G(meeting) m = G(given_meeting)(T, fault(T, 0, 1));
+    int printed_ones = fault(T, 0, 1);
+    struct G(meeting) m = G(given_meeting)(T, printed_ones);
+    num Q[9 * dim], x[9];
     found_whole(T, "common points of the curve", m.curve.common_closed);
     found_whole(T, "crossings of the curve", m.curve.crossings);
     found_whole(T, "crossings of the polygon", m.polygon.crossings);
+    G(bezier_points_of)(printed_ones, 7, dim, m.P, m.beta, Q);
+    for (int k = 0; k <= 8; k++)
+        x[k] = Q[k * dim];
+    int grows = sign_on(poly_derivative(poly_from_bernstein(8, x)), from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+    found_text(T, "x'(t) > 0 on [0,1]", grows ? "yes" : "no");
     about(T, "the polygon is not convex, or there are at most two common points");
-    refute(T, polygon_is_convex(7, m.P, 0, NULL) && m.curve.common_closed > 2);
+    refute(T, polygon_is_convex(7, m.P, 0, NULL) && grows && m.curve.common_closed > 2);
+}
+#endif
+
+#if FIELD || RATIONAL
+/*
+The polygon of this example may be moved nearer to the origin, or to the other side of it, when $\beta$ is another; so it is
+with every $\beta$ but 0.
+
+:::{claim} printed_curves_of_convex_polygons_meet_lines_four_times
+:title: For every beta of the printed range but 0 the printed curve of a convex polygon has four points on a line
+:zh: -7≤β≤1、β≠0 时按式 (1) 凸多边形的曲线与直线有四个公共点
+:given: $-7\le\beta\le1$, $\beta\ne0$, $c=\frac{40}\beta$; the points $(0,c),(1,c+1),(2,c+1),\dots,(6,c+1),(7,c)$, a convex polygon, and the line $y=c+\frac1{1000}$;
+  printed functions
+:harmless: convex polygon | it is the one whose points stand there
+:then: at $t=0,\frac1{100},\frac12,\frac{99}{100},1$ the curve is below the line, above, below, above and below it, and $x'>0$ in $(0,1)$: it crosses the line in at
+  least four points of the plane
+:method: The printed curve at the five parameters, $\beta=-7+\frac{8r}{1+r}$ with $r>0$ a variable, and $\beta=-7$ and $1$: the distances from the line, being linear in
+  $\beta$, are quotients with coefficients of one sign.  $x'$ is linear in $\beta$ too, and its sign on $(0,1)$ is decided for $-7$ and $1$.
+:types: field rational
+:degrees: 7..7
+:scope: −7 ≤ β ≤ 1, β ≠ 0
+:over: r: -
+:control: $c=\frac{30}\beta$
+:::
+*/
+CLAIM(printed_curves_of_convex_polygons_meet_lines_four_times)
+{
+    static const int place[] = {0, 1, 50, 99, 100}; /* hundredths */
+    num P[8 * dim], at[dim], r = positive(T, "r", 0), one = from_int(1), low = from_int(-7);
+    num beta[3] = {low, add(low, mul(from_int(8), div(r, add(one, r)))), one};
+    for (int b = 0; b < 3; b++) {
+        num c = div(from_int(fault(T, 40, 30)), beta[b]), line = add(c, from_ratio(1, 1000));
+        for (int i = 0; i <= 7; i++) {
+            P[i * dim] = from_int(i);
+            P[i * dim + 1] = i % 7 == 0 ? c : add(c, one);
+        }
+        for (int k = 0; k < 5; k++) {
+            G(curve_point)(1, 7, dim, P, beta[b], from_ratio(place[k], 100), at);
+            num above = sub(at[1], line);
+            about(T, k % 2 == 1 ? "how far the curve is above the line" : "how far the curve is below the line");
+            G(must_be_positive)(T, k % 2 == 1 ? above : neg(above));
+        }
+#if RATIONAL
+        num Q[9 * dim], x[9];
+        about(T, "the polygon is convex");
+        agree(T, polygon_is_convex(7, P, 1, NULL));
+        G(bezier_points_of)(1, 7, dim, P, beta[b], Q);
+        for (int k = 0; k <= 8; k++)
+            x[k] = Q[k * dim];
+        about(T, "x grows");
+        agree(T, sign_on(poly_derivative(poly_from_bernstein(8, x)), from_int(0), one, OPEN) == SIGN_POSITIVE);
+#endif
+    }
 }
 #endif
 
@@ -270,6 +328,48 @@ CLAIM(four_vertices_of_a_convex_polygon_do_not_alternate)
     /* D_jkl f(P_i) + D_ijl f(P_k) = D_ikl f(P_j) + D_ijk f(P_l) */
     num left = add(mul(G(turn)(j, k, l), f[0]), mul(fault(T, ijl, ikl), f[2]));
     same(T, left, add(mul(fault(T, ikl, ijl), f[1]), mul(G(turn)(i, j, k), f[3])));
+}
+
+/*
+That is said of crossings.  For points in common three of them are enough, and one vertex that is off the line.
+
+:::{claim} vertex_off_a_line_puts_a_point_between_two
+:title: The determinants of three points on a line and a vertex off it
+:zh: 直线上三点与线外一顶点的行列式
+:given: points $X$, $Y=X+\lambda d$, $Z=X+\mu d$ of a line of the plane, any points $V,W,A,B$; $D_{ijk}$ the determinant of $P_j-P_i$ and
+  $P_k-P_i$; $c=D_{X,X+d,V}$
+:then: $D_{XVY}=-\lambda c$, $D_{VYZ}=(\mu-\lambda)c$, $D_{XVZ}=-\mu c$, $D_{XYV}=\lambda c$, $D_{YVZ}=(\lambda-\mu)c$; and for $E=A+\lambda(B-A)$
+  $D_{EVW}=(1-\lambda)D_{AVW}+\lambda D_{BVW}$
+:method: Everything is a variable.  In a polygon that is convex, counterclockwise, no determinant of three vertices in their order is negative, and by the
+  last equation none becomes negative when points of its edges are counted with the vertices.  Let $X,Y,Z$ be three different points that it has on a
+  line, in its order.  If a vertex $V$ between $X$ and $Y$ is off the line, $c\ne0$, the first three determinants say that $\mu$ is between $0$ and
+  $\lambda$, that is $Z$ between $X$ and $Y$; if one between $Y$ and $Z$ is, the third and the last two say that $0$ is between $\lambda$ and $\mu$, that is $X$
+  between $Y$ and $Z$.  Not both can be; so from $X$ to $Y$ or from $Y$ to $Z$ the polygon is on the line, which contains an edge.
+:over: a b l m: -; x# y#: points
+:control: $\lambda$ and $\mu$ exchanged on the right
+:::
+*/
+CLAIM(vertex_off_a_line_puts_a_point_between_two)
+{
+    num P[5 * dim], X[3 * dim], E[dim], end[dim], step[dim] = {unknown(T, "a", 0), unknown(T, "b", 0)};
+    num lambda = unknown(T, "l", 0), mu = unknown(T, "m", 0), one = from_int(1);
+    G(free_points)(T, 4, dim, P); /* X, V, W, A, B */
+    const num *V = P + dim, *W = V + dim, *A = W + dim, *B = A + dim, *Y = X + dim, *Z = Y + dim;
+    for (int c = 0; c < dim; c++) {
+        X[c] = P[c];
+        X[dim + c] = add(P[c], mul(lambda, step[c])), X[2 * dim + c] = add(P[c], mul(mu, step[c]));
+        end[c] = add(P[c], step[c]), E[c] = add(A[c], mul(lambda, sub(B[c], A[c])));
+    }
+    num c = G(turn)(X, end, V), l = fault(T, lambda, mu), m = fault(T, mu, lambda);
+    about(T, "a vertex between X and Y");
+    same(T, G(turn)(X, V, Y), neg(mul(l, c)));
+    same(T, G(turn)(V, Y, Z), mul(sub(m, l), c));
+    same(T, G(turn)(X, V, Z), neg(mul(m, c)));
+    about(T, "a vertex between Y and Z");
+    same(T, G(turn)(X, Y, V), mul(l, c));
+    same(T, G(turn)(Y, V, Z), mul(sub(l, m), c));
+    about(T, "a point of an edge");
+    same(T, G(turn)(E, V, W), add(mul(sub(one, lambda), G(turn)(A, V, W)), mul(lambda, G(turn)(B, V, W))));
 }
 
 #include "chapters/judge/claims_off.h"

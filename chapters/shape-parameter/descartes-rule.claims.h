@@ -63,8 +63,9 @@ CLAIM(combination_begins_and_ends_with_its_coefficients)
 :::{claim} roots_inside_tell_the_signs_at_the_ends
 :title: An even number of roots in (0,1) leaves equal signs at the ends, an odd number different ones
 :zh: (0,1) 内根的个数的奇偶性决定两端的符号
-:given: a polynomial $f=(t-r_1)\cdots(t-r_m)\,g$ with the roots $r_i$ in $(0,1)$, each as often as its multiplicity, $m=1,\dots,8$; $f$ of a degree of at most 8; $g$ has
-  the values $a$ and $b$ at $0$ and $1$, of one sign, since it has no root in $[0,1]$
+:given: a polynomial $f=(t-r_1)\cdots(t-r_m)\,g$ with the roots $r_i$ in $(0,1)$, each as often as its multiplicity, $m=1,\dots,8$; $f$ of a degree of at most 8,
+  $f(0),f(1)\ne0$; $g$ has the values $a$ and $b$ at $0$ and $1$, of one sign, since it has no root in $[0,1]$
+:harmless: $f(0),f(1)\ne0$ | the signs at the ends are what is compared, and 0 has none
 :then: $(-1)^mf(0)f(1)=ab\,r_1(1-r_1)\cdots r_m(1-r_m)>0$
 :method: $r_i=s_i/(1+s_i)$ with $s_i>0$ a variable, $a$ and $b$ positive variables; with $-g$ both change their signs.
 :types: field rational
@@ -93,7 +94,7 @@ they do in the case that the source treats first.
 :::{claim} parity_of_the_roots
 :title: The number of roots is even or odd as the ends have equal or different signs
 :zh: 根的个数的奇偶性
-:given: random $k$ with $k_0>0$ and alternating signs, any $\beta$; corrected functions
+:given: random $k$ with $k_0>0$ and alternating signs, random $\beta$ from $-7$ to 7; corrected functions
 :then: $f(0)=k_0$, $f(1)=k_7$, the number of roots of $f$ in $(0,1)$, each counted as often as its multiplicity, is odd and at
   most 7
 :method: The roots of the exact polynomial are counted.
@@ -186,25 +187,28 @@ CLAIM(positive_coefficients_with_two_roots)
 :refuted-by: no_sign_makes_the_first_coefficient_positive
 :class: invalid-proof
 :corrected: for $k\ne0$ the first $k_i$ that is not 0 may be taken positive; for $-\frac{21}4<\beta\le1$ the sum has the
-  sign of this $k_i$ for small $t>0$, and in the same way that of the last one near $t=1$
-:corrected-by: first_coefficient_gives_the_sign
+  sign of this $k_i$ for small $t>0$, and in the same way that of the last one near $t=1$; for $k_0>0$ $SA$ is one of $7,6,5,4,3,2,1,0$, and each of them is possible
+:corrected-by: first_coefficient_gives_the_sign seven_changes_end_below_zero
+:confirmed-by: corrected_functions_are_mirror_images
 :figure: zero_at_the_beginning
+
+With the corrected functions $f(1-t)$ is the sum of the coefficients backwards, so that the last one could be taken for the first; it may be 0, too.
 :::
 
-A sum whose first coefficient is 0 is not covered by the words "without loss of generality".  It takes little to cover it:
+A sum whose first and last coefficient are 0 is not covered by the words "without loss of generality".  It takes little to cover it:
 near $t=0$ the sum has the sign of the first coefficient that is not 0, provided that the $\nu_i$ are positive, and here the
 range of $\beta$ comes in.
 
 :::{claim} no_sign_makes_the_first_coefficient_positive
-:title: When the first coefficient is 0 neither k nor -k begins with a positive number
-:zh: k_0=0 时不能假设 k_0>0
+:title: When the first and the last coefficient are 0 neither k nor -k begins with a positive number, forwards or backwards
+:zh: k_0=k_7=0 时不能假设 k_0>0
 :kind: counterexample
-:data: k = 0 -1 1 1 1 1 1 1
-:instead: k = -1 -1 1 1 1 1 1 1
+:data: k = 0 -1 1 1 1 1 1 0
+:instead: k = -1 -1 1 1 1 1 1 0
 :result: SA = 1
-:given: coefficients $k$ that begin with 0
-:then: the first coefficients of $k$ and of $-k$ are 0, although the sign changes
-:method: The two signs; that one of them is positive is refuted.
+:given: coefficients $k$ that begin and end with 0
+:then: the first and the last coefficients of $k$ and of $-k$ are 0, although the sign changes
+:method: The four signs; that one of them is positive is refuted.
 :control: a negative first coefficient
 :::
 */
@@ -213,8 +217,11 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
     num k[8];
     given_points(T, "k", 8, 1, k);
     found_whole(T, "SA", G(sign_changes)(7, k));
-    about(T, "k_0 > 0 or -k_0 > 0");
-    refute(T, sign_q(k[0]) <= 0 && sign_q(neg(k[0])) <= 0);
+    int positive_ones = 0;
+    for (int i = 0; i <= 7; i += 7)
+        positive_ones += (sign_q(k[i]) > 0) + (sign_q(neg(k[i])) > 0);
+    about(T, "one of k_0, -k_0, k_7, -k_7 is positive");
+    refute(T, positive_ones == 0);
 }
 
 /*
@@ -255,7 +262,8 @@ CLAIM(first_coefficient_gives_the_sign)
 :zh: k_0>0 且变号七次时 k_7<0
 :kind: decision
 :given: all sequences of eight signs $-1,0,1$ that begin with 1
-:then: where the sign changes seven times, the last is $-1$; where it changes $m$ times and the last is not 0, the last is $(-1)^m$
+:then: the sign changes from 0 to 7 times, and each of these numbers occurs; where it changes seven times, the last is $-1$; where it changes $m$ times
+  and the last is not 0, the last is $(-1)^m$
 :method: All are counted through.
 :degrees: 7..7
 :control: those with six changes
@@ -263,12 +271,14 @@ CLAIM(first_coefficient_gives_the_sign)
 */
 CLAIM(seven_changes_end_below_zero)
 {
-    int found_some = 0;
+    int found_some = 0, how_often[8] = {0};
     for (int code = 0; code < 2187; code++) {
         num k[8] = {from_int(1)};
         for (int i = 1, rest = code; i <= 7; i++, rest /= 3)
             k[i] = from_int(rest % 3 - 1);
         int changes = G(sign_changes)(7, k);
+        agree(T, 0 <= changes && changes <= 7);
+        how_often[changes]++;
         agree(T, is_zero_q(k[7]) || (sign_q(k[7]) > 0) == (changes % 2 == 0));
         if (changes != fault(T, 7, 6))
             continue;
@@ -276,6 +286,8 @@ CLAIM(seven_changes_end_below_zero)
         agree(T, sign_q(k[7]) < 0);
     }
     agree(T, found_some);
+    for (int changes = 0; changes <= 7; changes++)
+        agree(T, how_often[changes] > 0);
 }
 
 /*

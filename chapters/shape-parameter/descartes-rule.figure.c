@@ -27,16 +27,18 @@ FIGURE(roots_at_minus_seven)
 FIGURE(zero_at_the_beginning)
 {
     svg *s = svg_new(
-        "zero_at_the_beginning", "A sum whose first coefficient is 0",
-        "The sum of the corrected functions of β = 1 with the coefficients 0, -1, 1, 1, 1, 1, 1, 1: it is 0 at t = "
-        "0, negative at first, as its first coefficient that is not 0 is, and has one root.");
+        "zero_at_the_beginning", "A sum whose first and last coefficient are 0",
+        "The sum of the corrected functions of β = 1 with the coefficients 0, -1, 1, 1, 1, 1, 1, 0: it is 0 at t = "
+        "0 and t = 1, negative at first, as its first coefficient that is not 0 is, and has one root between.");
     num_q near[8], far[8], a[8];
     data_of("no_sign_makes_the_first_coefficient_positive", "k", 8, 1, a);
-    svg_panel(s, window(q(0), r(-1, 2), q(1), q(1)), 360, 240, "$k=(0,-1,1,1,1,1,1,1)$, $β=1$");
+    svg_panel(s, window(q(0), r(-1, 2), q(1), q(1)), 360, 240, "$k=(0,-1,1,1,1,1,1,0)$, $β=1$");
     svg_axes(s, r(1, 4), r(1, 2), "t", NULL);
     factors(0, 7, q(1), near, far);
     put_graph(s, 7, near, far, a, SVG_CURVE);
     svg_mark(s, svg_at(0, 0), SVG_WRONG, SVG_USUAL);
     svg_label(s, svg_at(0, 0), SVG_NE, SVG_WRONG, "f(0)=0");
+    svg_mark(s, svg_at(1, 0), SVG_WRONG, SVG_USUAL);
+    svg_label(s, svg_at(1, 0), SVG_NW, SVG_WRONG, "f(1)=0");
     return s;
 }

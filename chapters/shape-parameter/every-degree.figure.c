@@ -16,11 +16,13 @@ static void bar(svg *s, int y, num_q a, num_q b, enum svg_role paint, const char
 
 FIGURE(ranges_of_beta)
 {
-    svg *s =
-        svg_new("ranges_of_beta", "For which beta each property is true",
-                "Bars over the axis of β from -8 to 2: nonnegativity, one maximum, hull, total positivity, variation "
-                "diminution and convexity hold from -21/4 to 1 for the corrected functions; sum, symmetry and affine "
-                "invariance for all β; with the printed functions sum, symmetry, hull and invariance only for β = 0.");
+    svg *s = svg_new(
+        "ranges_of_beta", "For which beta each property is true",
+        "Bars over the axis of β from -8 to 2: nonnegativity, one maximum, hull, rule of signs, variation "
+        "diminution and convexity hold from -21/4 to 1 for the corrected functions, where at -21/4 a sum may be "
+        "0 and a curve on a line; sum, symmetry and affine invariance for all β; with the printed functions "
+        "sum, symmetry, hull, invariance, variation diminution and, in the range of the text, convexity only "
+        "for β = 0.");
     static const struct {
         const char *name;
         int from, to, printed_fails; /* quarters of beta */

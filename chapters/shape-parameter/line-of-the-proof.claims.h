@@ -30,13 +30,13 @@ intersections" is true or false according to what is counted.
 :::
 
 :::{claim} points_of_a_line_by_its_normal
-:title: The points with u.(X-Q) = 0 are a line, in space a plane
+:title: For u not 0 the points with u.(X-Q) = 0 are a line, in space a plane
 :zh: 由法向量确定的直线或平面
-:given: any points $X$, $Q$ and vector $u$ of the plane, $w=X-Q$, $u^\perp=(-u_2,u_1)$; and any of space
-:then: $(u\cdot u)w=(u\cdot w)u+(u^\perp\cdot w)u^\perp$ in the plane; $(u\cdot u)w=(u\cdot w)u+(u\times w)\times u$ in space
+:given: any points $X$, $Q$ and vector $u$ of the plane, $w=X-Q$, $u^\perp=(-u_2,u_1)$; and any of space, and any vector $v$
+:then: $(u\cdot u)w=(u\cdot w)u+(u^\perp\cdot w)u^\perp$ and $u\cdot u^\perp=0$ in the plane; $(u\cdot u)w=(u\cdot w)u+(u\times w)\times u$ and $u\cdot(v\times u)=0$ in space
 :method: Everything is a variable.  So for $u\ne0$ the points with $u\cdot w=0$ are the points $Q+\lambda u^\perp$ in the plane, and
   all of these are such; in space they are the points $Q+v\times u$, with any vector $v$, and all of these are such.
-:over: x# q#: points; u#: normal vectors
+:over: x# q#: points; u#: normal vectors; v#: -
 :control: $u^\perp=(u_2,u_1)$, and in space $u\times(u\times w)$
 :::
 */
@@ -50,11 +50,14 @@ CLAIM(points_of_a_line_by_its_normal)
         /* (u·u) w = (u·w) u + (u⊥·w) u⊥ */
         same(T, mul(G(dot)(dim, u, u), w[c]),
              add(mul(G(dot)(dim, u, w), u[c]), mul(G(dot)(dim, across, w), across[c])));
-    num to[3], normal[3], turned[3], beside[3];
+    vanishes(T, G(dot)(dim, u, across));
+    num to[3], normal[3], turned[3], beside[3], v[3], aside[3];
     for (int c = 0; c < 3; c++) {
         to[c] = sub(unknown(T, "x", c), unknown(T, "q", c));
-        normal[c] = unknown(T, "u", c);
+        normal[c] = unknown(T, "u", c), v[c] = unknown(T, "v", c);
     }
+    G(cross3)(v, normal, aside);
+    vanishes(T, G(dot)(3, normal, aside));
     G(cross3)(normal, to, turned);
     G(cross3)(turned, normal, beside);
     for (int c = 0; c < 3; c++)
@@ -135,8 +138,8 @@ CLAIM(no_normal_no_line)
 :::{statement} deng-zhang-2022:property-3.6-sides
 :title: A line that meets an edge has its ends on two sides
 :zh: 边的两端在 L 两侧
-:printed: if $L$ meets the edge between $P_j$ and $P_{j+1}$ then these two points are on different sides of $L$, and
-  $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ have different signs
+:printed: if $L$ meets the edge between $P_j$ and $P_{j+1}$ then these two points are on the two sides of $L$, and
+  $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ have opposite signs
 :holds-by: points_between_two_on_one_side_are_on_it
 :confirmed-by: sign_changes_are_polygon_crossings
 :hypothesis: line_through_an_edge_has_no_two_sides | neither of the two points is on $L$
@@ -146,30 +149,36 @@ CLAIM(no_normal_no_line)
 An edge that meets $L$ has its ends on two sides, the text says.  It may also have one or both ends on $L$.
 
 :::{claim} line_through_an_edge_has_no_two_sides
-:title: A line that contains an edge meets it and has neither end on a side
-:zh: 边在直线上时两端不在两侧
+:title: A line that contains an edge, and one through its end, meet it and have no two sides with an end on each
+:zh: 边在直线上、直线过边的端点时两端不在两侧
 :kind: counterexample
-:data: P = (0,0) (1,6) (2,10) (3,12) (4,12) (5,10) (6,6) (7,0); j = 3; Q = (7/2,12); u = (0,1)
-:instead: u = (1,0)
-:result: u·(P_j-Q) = 0; u·(P_{j+1}-Q) = 0
-:given: a polygon, one of its edges, and the line through a point $Q$ of this edge whose normal vector $u$ is orthogonal to it
-:then: the line meets the edge in all its points, and the two numbers $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ are 0
-:method: The signs at the two ends are computed; different signs are asked for.
-:control: the line through $Q$ across the edge
+:data: P = (0,0) (1,6) (2,10) (3,12) (4,12) (5,10) (6,6) (7,0); j = 3; Q = (7/2,12) (3,12); u = (0,1) (1,0)
+:instead: Q = (7/2,12) (13/4,12); u = (1,0) (1,0)
+:result: u·(P_j-Q) = 0 0; u·(P_{j+1}-Q) = 0 1
+:given: a polygon, one of its edges, and two lines, each through a point $Q$ of this edge: one whose normal vector $u$ is orthogonal to the edge, and one
+  across the edge in its end $P_j$
+:then: the first line meets the edge in all its points, the second in its end; of the first the two numbers $u\cdot(P_j-Q)$, $u\cdot(P_{j+1}-Q)$ are 0, of
+  the second one of them is
+:method: The signs at the two ends are computed for both lines; opposite signs are asked for, of one of them.
+:control: two lines across the edge between its ends
 :::
 */
 CLAIM(line_through_an_edge_has_no_two_sides)
 {
-    num P[8 * dim], u[dim], Q[dim], side[8];
+    num P[8 * dim], u[2 * dim], Q[2 * dim], side[8], first[2], second[2];
     given_points(T, "P", 8, dim, P);
-    int j = given_whole(T, "j");
-    given_points(T, "Q", 1, dim, Q);
-    given_points(T, "u", 1, dim, u);
-    G(sides)(7, P, Q, u, side);
-    found(T, "u·(P_j-Q)", side[j]);
-    found(T, "u·(P_{j+1}-Q)", side[j + 1]);
-    about(T, "the two numbers have different signs");
-    agree(T, sign_q(side[j]) * sign_q(side[j + 1]) < 0);
+    int j = given_whole(T, "j"), opposite = 0;
+    given_points(T, "Q", 2, dim, Q);
+    given_points(T, "u", 2, dim, u);
+    for (int line = 0; line < 2; line++) {
+        G(sides)(7, P, Q + line * dim, u + line * dim, side);
+        first[line] = side[j], second[line] = side[j + 1];
+        opposite += sign_q(first[line]) * sign_q(second[line]) < 0;
+    }
+    found_points(T, "u·(P_j-Q)", 2, 1, first);
+    found_points(T, "u·(P_{j+1}-Q)", 2, 1, second);
+    about(T, "of one of the two lines the two numbers have opposite signs");
+    agree(T, opposite > 0);
 }
 
 /*
@@ -231,12 +240,17 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
   curve_on_a_line_that_its_polygon_crosses
 :class: false
-:corrected: true for the corrected functions (`sec-2-properties`) and $-\frac{21}4\le\beta\le1$ for the common points with $0<t<1$, when the
-  curve is not on $L$
+:corrected: for the common points with $0<t<1$, when the curve is not on $L$: true for the corrected functions (`sec-2-properties`) exactly if
+  $-\frac{21}4\le\beta\le1$, for the printed ones only for $\beta=0$
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero nonnegative_exactly_in_the_range averages_between_neighbours_keep_sign_changes
-  linear_factor_adds_a_change_of_sign line_function_of_the_curve
+  linear_factor_adds_a_change_of_sign line_function_of_the_curve third_function_has_a_zero_for_every_smaller_beta first_function_has_a_zero_for_every_larger_beta
+  printed_sum_in_closed_form
 :confirmed-by: roots_are_at_most_sign_changes
 :figure: crossings_off_the_polygon
+
+Below the range and above it one function has a zero inside: with $u\cdot(P_i-Q)=1$ for this $i$ and 0 for the others it is a common point, and $SA$ is 0.  With the
+printed functions and $\beta\ne0$ the curve of eight equal points $P$ that are not the origin is $(1-4\beta(1-t)^3t^4)P$, and meets lines for which all
+$u\cdot(P-Q)$ are equal and not 0.
 :::
 
 :::{claim} curve_and_line_share_an_end
@@ -249,7 +263,8 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :given: the $\beta$ of the Bézier curve, a convex polygon, and a line through $Q=P_0$ with the normal vector $u$, on one side of which the polygon is
 :then: curve and line have the point $P_0$ in common; the function of formula (20) has no root in $(0,1)$, and its
   coefficients no change of sign
-:method: The common points of the closed curve are compared with those of the open one.
+:method: The common points of the closed curve are compared with those of the open one, the roots, and with the changes of sign; that one of the two is
+  as printed is asked.
 :control: a line through the middle of the polygon
 :::
 */
@@ -259,8 +274,8 @@ CLAIM(curve_and_line_share_an_end)
     found_whole(T, "common points of the curve", m.curve.common_closed);
     found_whole(T, "roots in (0,1)", m.curve.common_open);
     found_whole(T, "SA", m.polygon.crossings);
-    about(T, "as many common points as roots in (0,1), and no more than changes of sign");
-    agree(T, m.curve.common_closed == m.curve.common_open && m.curve.common_closed <= m.polygon.crossings);
+    about(T, "as many common points as roots in (0,1), or no more than changes of sign");
+    agree(T, m.curve.common_closed == m.curve.common_open || m.curve.common_closed <= m.polygon.crossings);
 }
 #endif
 
@@ -289,10 +304,7 @@ CLAIM(line_function_of_the_curve)
     for (int printed_ones = 0; printed_ones <= (n == 7); printed_ones++) {
         num sum = from_int(0);
         G(functions_of)(printed_ones, n, beta, t, B);
-        if (printed_ones)
-            G(shape_point_printed)(dim, P, beta, t, at);
-        else
-            G(shape_point)(n, dim, P, beta, t, at);
+        G(curve_point)(printed_ones, n, dim, P, beta, t, at);
         for (int j = 0; j <= n; j++) {
             num w[dim] = {sub(P[j * dim], Q[0]), sub(P[j * dim + 1], Q[1])};
             sum = add(sum, mul(B[j], fault(T, G(dot)(dim, w, u), j == 0 ? G(dot)(dim, P, u) : G(dot)(dim, w, u))));

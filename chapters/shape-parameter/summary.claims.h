@@ -44,7 +44,7 @@ Outward has the sense of `property-3.5`.
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`) and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
   not 0, variation diminution for crossings and common points, counted along the curve and along the polygon; at
-  $\beta=-\frac{21}4$ too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is not
+  $\beta=-\frac{21}4$ all hold too, variation diminution for crossings, and for common points unless the curve is on the line and the polygon is not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
   combination_begins_and_ends_with_its_coefficients sign_changes_are_counted_one_by_one reversed_polygon_reverses_the_curve
   totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero averages_between_neighbours_keep_sign_changes
@@ -59,8 +59,8 @@ Outward has the sense of `property-3.5`.
 :printed: from the point of view of approximation the curve is better than the Bézier curve of degree seven
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
-:corrected: for $\beta=1$ it depends on the polygon: by the largest distance of its points from the polygon the curve is nearer than the Bézier curve to the convex
-  polygon of the decision, and not to the convex one of the first counterexample
+:corrected: for $\beta=1$ it depends on the polygon: by the largest distance of a point of the curve from the polygon the curve is nearer than the Bézier
+  curve to the convex polygon of the decision, and farther than it from the convex one of the first counterexample
 :corrected-by: convex_polygon_prefers_beta_one
 :figure: closer_or_not
 :::
@@ -69,14 +69,14 @@ Outward has the sense of `property-3.5`.
 :title: The features that the abstract names
 :zh: 摘要所列特性
 :printed: the curve has the features of the Bézier curve of degree seven, such as tangency to the end edges, convex hull,
-  preservation of convexity and variation diminution
+  preservation of convexity and variation diminution (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
   edge_is_not_tangent_at_minus_seven curve_of_a_triangle_meets_a_line_three_times
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`) and $-\frac{21}4<\beta\le1$ all of them hold, tangency to the end edges that are
   not 0, variation diminution for crossings and common points, counted along the curve and along the polygon, and, for polygons convex when
   closed and not on a line, at most two points of the curve on any line; at $\beta=-\frac{21}4$
-  too, but variation diminution for crossings, and for common points unless the curve is on the line and the polygon is
+  all hold too, variation diminution for crossings, and for common points unless the curve is on the line and the polygon is
   not
 :corrected-by: end_points_and_end_derivatives corrected_functions_sum_to_one nonnegative_exactly_in_the_range
   combination_begins_and_ends_with_its_coefficients sign_changes_are_counted_one_by_one
@@ -94,8 +94,8 @@ Outward has the sense of `property-3.5`.
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
 :corrected: adjustable it is, but for the polygons $P,P,P,P,Q,Q,Q,Q$ with the corrected functions (`sec-2-properties`) and $0,0,0,0,5v,v,v,v$ with the printed
-  ones; by the largest distance of its points from the polygon the curve of $\beta=1$ is
-  nearer than that of $\beta=0$ to the convex polygon of the last decision, and not to the one of the first counterexample
+  ones; by the largest distance of a point of the curve from the polygon the curve of $\beta=1$ is nearer than that of $\beta=0$ to the convex polygon of the
+  last decision, and farther than it from the convex one of the first counterexample
 :corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one
 :figure: closer_or_not
 
@@ -112,7 +112,8 @@ Adjustable as a parametrized curve; sets of points are not compared.
 :argued: every n | By its definition the sum, or for a surface the double sum, has one value for given points and parameters, whatever the degrees.
 :figure: curves_for_several_beta
 
-As a parametrized curve of the same degree that of other points is another one (`bernstein_basis_is_independent`).
+As a parametrized curve of the same degree that of other points is another one: for $t=\frac s{1+s}$ the sum $\sum b_iB_i^n(t)$ of the differences, times
+$(1+s)^n$, is $\sum\binom nib_is^i$, and 0 only if all $b_i$ are (`bernstein_basis_is_independent` up to degree 8).
 :::
 
 :::{statement} deng-zhang-2022:sec-1-bezier-properties
@@ -126,6 +127,7 @@ As a parametrized curve of the same degree that of other points is another one (
   bernstein_positive_inside reversed_points_reverse_the_curve roots_are_at_most_sign_changes
 :meant: (19) and (20), which count changes of sign and parameters | Variation diminution counts crossings along the curve and along the polygon.
 :reading: linear_factor_adds_a_change_of_sign | crossings, counted along both
+:reading-with: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry sign_changes_are_counted_one_by_one
 :reading: self_crossing_polygon_has_fewer_points_on_a_line | common points counted as points of the plane: a polygon that crosses itself on the
   line may have fewer than its Bézier curve
 :hypothesis: double_end_point_has_no_end_edge | the end edges are not 0, for the tangency

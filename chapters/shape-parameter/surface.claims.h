@@ -5,6 +5,7 @@ What is left of the paper are its applications, closed curves and a surface, and
 it is new.  The surface is a curve of curves, so that it inherits most of what is true of the curve, and all that is false.
 */
 #if RATIONAL
+#include "exact/record/hull.h"
 #include "exact/record/sign.h"
 
 #include "chapters/judge/counting.h"
@@ -18,6 +19,7 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 #endif
 
 #include "chapters/shape-parameter/definition.h"
+#include "chapters/shape-parameter/distance.h"
 
 #include "chapters/judge/claims_on.h"
 
@@ -37,7 +39,7 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 :printed: figure 3 shows the petals (花瓣图形) of the closed curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that they look like petals: the polygon is not given, so that nothing is there to be decided
 :reading: printed_points_move_evenly_with_beta | with the printed functions, for any polygon, the points of one $t$ on the nine curves are on a
-  straight line in equal distances; which polygon it is, is not said
+  straight line in equal distances, or are one point; which polygon it is, is not said
 :reading: points_move_evenly_with_beta | the same with the corrected functions
 :figure: petals
 :::
@@ -57,8 +59,8 @@ the point.  In the field this shows that the double sum (22) is what the kernel 
 :confirmed-by: surface_kernel_gives_the_double_sum
 :figure: shape_surface
 
-One parameter serves both directions; the kernel has one for each.  A coordinate of the surface comes from
-that coordinate of the points alone.
+One parameter serves both directions; `shape_surface_point`, the kernel of the corrected functions, has one for each.  A coordinate of the
+surface comes from that coordinate of the points alone, and so the same is true in every $\mathbb R^d$.
 :::
 */
 
@@ -128,27 +130,30 @@ CLAIM(surface_kernel_gives_the_double_sum)
 :class: false
 :corrected: with the printed functions as with the corrected ones (`sec-2-properties`) the corners are $P_{00},P_{07},P_{70},P_{77}$ and the border
   curves those of the first and last row and column; the derivative by $u$ is $(7+\beta)\sum_j(P_{1j}-P_{0j})B_{j,7}(v)$ at $u=0$ and
-  $(7+\beta)\sum_j(P_{7j}-P_{6j})B_{j,7}(v)$ at $u=1$, and likewise that by $v$; with the corrected ones symmetry and affine maps for every
-  $\beta$, the convex hull for $-\frac{21}4\le\beta\le1$
+  $(7+\beta)\sum_j(P_{7j}-P_{6j})B_{j,7}(v)$ at $u=1$, and likewise that by $v$, in a corner $7+\beta$ times the edge of the net; with the corrected ones
+  symmetry and affine maps for every $\beta$, the convex hull exactly for $-\frac{21}4\le\beta\le1$; with the printed ones these three only for $\beta=0$
 :corrected-by: functions_vanish_to_their_orders_at_the_ends surface_derivatives_across_the_border corrected_functions_are_mirror_images
-  surface_functions_sum_to_one nonnegative_exactly_in_the_range
+  printed_outer_functions_are_mirror_images surface_functions_sum_to_one nonnegative_exactly_in_the_range
 :confirmed-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
   net_of_straight_lines_gives_a_saddle
 :reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows
-  and columns are: they may all be straight and the surface be a saddle, for every $\beta$
-  (`net_of_straight_lines_gives_a_saddle`)
-:reading: larger_beta_takes_the_curve_away_from_its_polygon | approximation of the net (property 3.5): where its eight columns are one polygon,
-  the surface is the curve of this polygon for $\beta=0$, and for $\beta=1$ has that curve as its border $v=0$
+  and columns are: they may all be straight and the surface be convex to no side
+:reading: larger_beta_takes_the_surface_away_from_its_net | approximation of the net (property 3.5), points of the surface being compared by their largest
+  distance from the net
 :reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say
   what they are for a net, so that nothing is there to be decided
 :meant: the word "similar", after the properties of section 3 | The properties that section 3 prints for the curve,
   said of the surface.
 :figure: shape_surface
 
-With the printed functions the sum is $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.
+With the printed functions the 64 products add up to $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.  With the corrected ones the surface of the net of the
+first reading is a saddle, $z=xy$, for every $\beta$ (`net_of_straight_lines_gives_a_saddle`).
 
 A function of the surface is a product $B_i(u)B_j(v)$.  At $u=0$ all $B_i(u)$ but the first are 0, so that the border is the
-curve of the first row; mirror images, the sum 1 (with it affine maps) and the sign pass from the factors to the products.
+curve of the first row; mirror images, the sum 1 (with it affine maps) and the sign pass from the factors to the products.  For $\beta$ outside the
+range some $B_i(u)<0$, and this is the value of the surface of the net that is 1 in row $i$ and 0 elsewhere.  With the printed functions and $\beta\ne0$ the
+surface of 64 equal points that are not the origin is no point, and the surface of a net that is 0 but for $P_{30}$ is not that of the reversed net
+backwards.
 :::
 
 The statement names no property, so what section 3 prints for the curve is taken one by one.  What is at the ends of the curve is at the
@@ -244,8 +249,54 @@ CLAIM(surface_leaves_the_hull_at_minus_seven)
         found(T, surface_of[printed_ones], sum);
         inside += sign_q(sum) >= 0;
     }
-    about(T, "the surface is not negative, as its points are");
+    about(T, "the surface is not negative, as its points are not");
     agree(T, inside > 0);
+}
+
+/*
+:::{claim} larger_beta_takes_the_surface_away_from_its_net
+:title: A larger beta takes a surface away from its net
+:zh: β 增大而曲面远离控制网
+:kind: counterexample
+:data: P = (-1,-1) (2,0) (2,-2) (1,-2) (1,-2) (0,0) (2,2) (2,1); β = 0 1; r² = 23/50; u = 3/16; v = 0
+:instead: β = 1 0
+:result: surface at (u, v), corrected = (5535206357/4294967296,-559496945/536870912);
+  surface at (u, v), printed = (5523817109/4294967296,-556649633/536870912)
+:given: the net $P_{ij}=P_i$, whose columns are one polygon and whose rows are single points; two values of $\beta$, the square of a distance, a $u$ and a $v$; printed and
+  corrected functions
+:then: for the first $\beta$ every point of the surface is nearer to the polygon, which is the whole net, than $r$; for the second the point of $u$ and $v$ is farther
+:method: The surface is $q(u)\sum_jB_j(v)$ with the curve $q$ of the polygon.  For the first $\beta$ the sum is 1, as its nine coefficients are, so that the surface
+  is the curve, and nearer than $r$ as a curve is (`distance.h`); the farther point by the double sum, against all seven edges.
+:control: the two values of $\beta$ exchanged
+:::
+*/
+CLAIM(larger_beta_takes_the_surface_away_from_its_net)
+{
+    static const char *const surface_of[] = {"surface at (u, v), corrected", "surface at (u, v), printed"};
+    num P[8 * dim], beta[2], r_squared = given(T, "r²"), one = from_int(1), ones[8], coefficients[9];
+    int farther = 1;
+    given_points(T, "P", 8, dim, P);
+    given_points(T, "β", 2, 1, beta);
+    num u = given(T, "u"), v = given(T, "v");
+    for (int j = 0; j <= 7; j++)
+        ones[j] = one;
+    for (int printed_ones = 0; printed_ones <= 1; printed_ones++) {
+        num U[8], V[8], at[dim] = {from_int(0), from_int(0)};
+        G(bezier_points_of)(printed_ones, 7, 1, ones, beta[0], coefficients);
+        for (int k = 0; k <= 8; k++)
+            farther = farther && equal_q(coefficients[k], one);
+        struct G(path) q = G(path_in)(printed_ones, 7, P, beta[0]);
+        farther = farther && G(nearer_than)(q, 7, P, r_squared, from_int(0), one, 9);
+        G(functions_of)(printed_ones, 7, beta[1], u, U);
+        G(functions_of)(printed_ones, 7, beta[1], v, V);
+        for (int m = 0; m < 64; m++)
+            for (int c = 0; c < dim; c++)
+                at[c] = add(at[c], mul(P[m / 8 * dim + c], mul(U[m / 8], V[m % 8])));
+        found_points(T, surface_of[printed_ones], 1, dim, at);
+        farther = farther && compare_q(G(distance_squared)(7, P, at), r_squared) > 0;
+    }
+    about(T, "with one of the two families the surface of the larger beta is not farther");
+    refute(T, farther);
 }
 #endif
 
@@ -398,21 +449,23 @@ CLAIM(net_of_straight_lines_gives_a_saddle)
 :title: A surface of straight rows and columns is above one diagonal and below the other
 :zh: 行列皆直的控制网,其曲面不凸
 :kind: counterexample
-:data: β = 1; coefficients of i², ij, j² in the height = 0 1 0; u = 1/2; v = 1/2
+:data: β = -7 -21/4 0 1; coefficients of i², ij, j² in the height = 0 1 0; u = 1/2; v = 1/2
 :instead: coefficients of i², ij, j² in the height = 1 0 1
-:result: point of the surface = (7/2,7/2,49/4); heights of the two chords = 49/2 0
-:given: the net of the points $P_{ij}=(i,j,z_{ij})$, whose height $z_{ij}$ is a quadratic form of $i$ and $j$; the right
-  end of the range of $\beta$, corrected functions; the middle of the square
-:then: the point of the surface is below the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$, so
-  convex to no side
-:method: The height of the point of the surface and of the two chords above it.  The control: a net whose columns and rows
-  are convex to one side.
+:result: points of the surfaces = (7/2,7/2,49/4) (7/2,7/2,49/4) (7/2,7/2,49/4) (7/2,7/2,49/4); middles of the two chords = (7/2,7/2,49/2) (7/2,7/2,0)
+:given: the net of the points $P_{ij}=(i,j,z_{ij})$, whose height $z_{ij}$ is a quadratic form of $i$ and $j$; four values of $\beta$, corrected functions;
+  the middle of the square
+:then: for each $\beta$ the point of the surface is below the middle of the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$; so the
+  surface is convex to no side
+:method: The points of the surfaces and the middles of the two chords, which are above one another, and their heights.  The control: a net whose columns and
+  rows are convex to one side.
 :control: a sum of squares for the height
 :::
 */
 CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
 {
-    num beta = given(T, "β"), form[3], P[8 * 8 * 3], at[3], half = from_ratio(1, 2), chord[2];
+    num beta[4], form[3], P[8 * 8 * 3], at[4 * 3], half = from_ratio(1, 2), chord[2 * 3];
+    int one_side = 0, above = 1;
+    given_points(T, "β", 4, 1, beta);
     given_points(T, "coefficients of i², ij, j² in the height", 3, 1, form);
     for (int m = 0; m < 64; m++) {
         int i = m / 8, j = m % 8;
@@ -422,13 +475,21 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
             add(mul(form[0], from_int(i * i)), add(mul(form[1], from_int(i * j)), mul(form[2], from_int(j * j))));
     }
     num u = given(T, "u"), v = given(T, "v");
-    G(shape_surface_point)(7, 7, 3, P, beta, beta, u, v, at);
-    chord[0] = mul(half, add(P[2], P[63 * 3 + 2]));
-    chord[1] = mul(half, add(P[7 * 3 + 2], P[56 * 3 + 2]));
-    found_points(T, "point of the surface", 1, 3, at);
-    found_points(T, "heights of the two chords", 2, 1, chord);
-    about(T, "the point is on one side of both chords");
-    agree(T, sign_q(sub(at[2], chord[0])) * sign_q(sub(at[2], chord[1])) > 0);
+    for (int c = 0; c < 3; c++) {
+        chord[c] = mul(half, add(P[c], P[63 * 3 + c]));
+        chord[3 + c] = mul(half, add(P[7 * 3 + c], P[56 * 3 + c]));
+    }
+    for (int k = 0; k < 4; k++) {
+        num *point = at + 3 * k;
+        G(shape_surface_point)(7, 7, 3, P, beta[k], beta[k], u, v, point);
+        one_side += sign_q(sub(point[2], chord[2])) * sign_q(sub(point[2], chord[5])) > 0;
+        for (int c = 0; c < 2; c++)
+            above = above && equal_q(point[c], chord[c]) && equal_q(point[c], chord[3 + c]);
+    }
+    found_points(T, "points of the surfaces", 4, 3, at);
+    found_points(T, "middles of the two chords", 2, 3, chord);
+    about(T, "for some beta the point is not above or below the middles, or on one side of both");
+    refute(T, above && one_side == 0);
 }
 
 /*
@@ -448,7 +509,7 @@ values of $\beta$ are not compared.
 :::
 
 :::{claim} nets_that_do_not_move
-:title: Only nets of constant blocks have the same surface for all beta
+:title: The nets that have the same surface for all beta
 :zh: 与 β 无关的控制网
 :kind: decision
 :data: k, corrected functions = 1 1 1 1 0 0 0 0; k', corrected functions = 0 0 0 0 1 1 1 1;
