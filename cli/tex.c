@@ -397,6 +397,9 @@ static const char *command(const char *s, struct text *out)
         struct text a = render_group(&e, out->tight), b = render_group(&e, out->tight);
         size_t sign = differential(a.at), behind = sign > 0 && is_attached(a.at + sign) ? character(a.at + sign) : 0;
         int is_derivative = sign > 0 && a.at[sign + behind] == '\0' && differential(b.at) == sign && is_simple(b.at);
+        const int of_function =
+            sign > 0 && !is_derivative && differential(b.at) == sign && is_simple(a.at) && is_simple(b.at);
+        is_derivative |= of_function;
         const int is_argument = !is_derivative && is_behind_function(out);
         puts_(out, is_argument ? "(" : "");
         put_wrapped(out, a.at);
@@ -404,7 +407,7 @@ static const char *command(const char *s, struct text *out)
         puts_(out, b.at);
         puts_(out, is_derivative || is_one_factor(b.at) ? "" : ")");
         puts_(out, is_argument ? ")" : "");
-        if (!is_argument && begins_factor(e + strspn(e, " "))) {
+        if (!is_argument && begins_factor(e + strspn(e, " ")) && !(of_function && *e == '(')) {
             puts_(out, is_derivative ? " " : " · ");
             e += strspn(e, " ");
         }

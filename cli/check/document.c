@@ -314,8 +314,8 @@ static void count_opened(const struct document *d, int from, int to, struct open
 static int goes_on(const struct document *d, int at, int end, int next, const struct opened *o)
 {
     static const char *const fields[] = {":printed:", ":for:", NULL};
-    static const char *const ends[] = {"=",    "+",     "-",    "<",     ">",      "&",       "\\\\",
-                                       "\\le", "\\leq", "\\ge", "\\geq", "\\cdot", "\\times", NULL};
+    static const char *const ends[] = {"=",    "+",     "-",      "<",       ">", "&",      "\\\\",    "\\le", "\\leq",
+                                       "\\ge", "\\geq", "\\cdot", "\\times", ",", "\\quad", "\\qquad", NULL};
     static const char *const begin[] = {"=",      "+",       "<",      ">",       "&",       ")",
                                         "]",      "}",       "\\le ",  "\\leq",   "\\ge ",   "\\geq",
                                         "\\cdot", "\\times", "\\quad", "\\qquad", "\\right", NULL};
@@ -891,6 +891,23 @@ static void ask_for_second(const struct document *d, const cagd_scope *scope, in
     }
 }
 
+/* Where, behind a relation, words stand a second time that say for what a formula is meant; -1 where they do not. */
+static int second_words(const char *text, int from, int to)
+{
+    int depth = 0, formulas = 0;
+    for (int k = from; k < to; k++) {
+        if (depth == 0 && k > from && strncmp(text + k, "\\text{", 6) == 0 && formulas > 0) {
+            const int word = behind_spaces(text, k + 6, to);
+            if (strncmp(text + word, "for", 3) == 0 || strncmp(text + word, "if", 2) == 0 ||
+                strncmp(text + word, "when", 4) == 0)
+                return k;
+        }
+        depth += (strchr("({[", text[k]) != NULL) - (strchr(")}]", text[k]) != NULL);
+        formulas += depth == 0 && text[k] == '=';
+    }
+    return -1;
+}
+
 /* A formula with ranges behind it, as papers print it, "b_i \ge 0, \quad i = 0, 1, \dots, n": they become known in the scope.  What is
  * before them needs them, or they are no relation.  NULL where it cannot be read so; with such a list of numbers *error is what is wrong before it, or behind it. */
 static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope *scope, int from, int to,
@@ -913,6 +930,13 @@ static const cagd_tree *with_ranges_behind(const struct document *d, cagd_scope 
             break;
         if (!is_list(d->text, begin, stop) && cagd_read_statement(scope, d->text, from, at, &unused) != NULL)
             continue;
+        const int second = second_words(d->text, begin, stop);
+        if (second > begin) {
+            if (asked.message[0] == '\0')
+                cagd_refuse_reading(&asked, second, stop,
+                                    "of which formula is this said? write a statement for each of them");
+            continue;
+        }
         if (!cagd_read_ranges(&known, d->text, begin, stop, &unused)) {
             if ((unused.of_list || (unused.of_words && environments == 0)) && asked.message[0] == '\0')
                 asked = unused;

@@ -7,7 +7,8 @@
 static int is_plain(const cagd_scope *scope, const cagd_tree *t, int *names)
 {
     int plain = t->kind == CAGD_NUMBER || t->kind == CAGD_SUM || t->kind == CAGD_PRODUCT || t->kind == CAGD_NEGATIVE ||
-                t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_RELATION;
+                t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_RELATION ||
+                t->kind == CAGD_ABSOLUTE;
     if (t->kind == CAGD_NAME)
         return ++*names, t->order == 0 && (cagd_defined(scope, t->head) == NULL || cagd_has_value(scope, t->head));
     for (int k = 0; k < t->count && plain; k++)

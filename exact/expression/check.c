@@ -352,6 +352,7 @@ struct parts {
         *statement;         /* the first that is no range, or else the first; all of them; what the statement is then */
     int are_ranges, bounds; /* bounds: nothing else is said */
     int conditioned;        /* it is supposed of an index that has conditions, for each of its values alone */
+    int asked; /* behind a word, in a row of its own, or between formulas: whether it is supposed is asked for */
 };
 
 /* The statement, "A, \quad u + v = 1", or "A, \quad u + v = 1, \quad x \in [0,1]", with the parts of plain names supposed; 0 where there are none. */
@@ -375,6 +376,8 @@ static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct par
         to->at[to->count++] = t->at[k];
         if (plain && (out->where == NULL || (!is_range && out->are_ranges)))
             out->where = t->at[k];
+        out->asked |= is_range && (t->asked >> k & 1);
+        out->asked |= !plain && supposed->count > 0;
         out->are_ranges &= is_range || !plain;
     }
     if (said->count == 0) { /* a >= 0, a^3 >= 0: what is no range is said */
@@ -429,7 +432,7 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
     if (out->answer == CAGD_FAILS && fails_for_one_alone(scope, statement, seconds, out))
         return;
     if (out->answer == CAGD_HOLDS || !suppose_parts(scope, statement, &parts) ||
-        (out->answer == CAGD_UNDECIDED && !parts.are_ranges))
+        (out->answer == CAGD_UNDECIDED && (!parts.are_ranges || parts.asked)))
         return;
     cagd_finding *second = region_bytes(sizeof *second);
     if (second == NULL)
@@ -444,7 +447,7 @@ void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seco
         return;
     }
     if (second->answer == CAGD_FAILS ||
-        parts.are_ranges) { /* in both readings, with numbers that satisfy what can be a condition */
+        (parts.are_ranges && !parts.asked)) { /* in both readings, with numbers that satisfy what can be a condition */
         *out = *second;
         out->supposed = out->answer == CAGD_HOLDS ? parts.supposed : NULL;
         return;

@@ -323,14 +323,19 @@ static int is_alone_in_brackets(const cagd_reader *r, const cagd_tree *a)
     return a->kind != CAGD_PRODUCT && cagd_is_of_whole_numbers(r, a, &has_name);
 }
 
+/* Whether what comes next may be the matrix behind a row: a letter, or rows of its own. */
+static int may_be_matrix(const cagd_token *t) { return t->kind == CAGD_TOKEN_LETTER || t->kind == CAGD_TOKEN_WORD; }
+
 /* (...), [...], {...}: the value itself. */
 static const cagd_tree *group(cagd_reader *r, const char *close)
 {
     int from = r->token[-1].from;
     const cagd_token *first = r->token;
+    r->squares += close[0] == ']';
     const cagd_tree *a = cagd_read_sum(r);
-    if (a != NULL && close[0] == ']' && a->kind != CAGD_MIXED && !(a->kind == CAGD_PRODUCT && a->juxtaposed) &&
-        has_wide_space(r, first))
+    r->squares -= close[0] == ']';
+    if (a != NULL && close[0] == ']' && a->kind != CAGD_MIXED && has_wide_space(r, first) &&
+        !(a->kind == CAGD_PRODUCT && a->juxtaposed && cagd_next_is(r, "]") && may_be_matrix(r->token + 1)))
         return cagd_refuse_tree(r, a, "components with space between them: write commas, [1-u, u]");
     if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
         return cagd_read_point(r, a, close, from);
@@ -944,6 +949,31 @@ static int begins_factor(const cagd_reader *r)
            (r->amounts == 0 && cagd_next_is(r, "|") && strcmp(r->token[1].word, "_") != 0);
 }
 
+/* Whether one of these stands between the last token and the next one. */
+static int is_behind(const cagd_reader *r, const char *const words[])
+{
+    for (int k = r->token[-1].to; k < r->token->from; k++)
+        for (int m = 0; words[m] != NULL; m++)
+            if (strncmp(r->text + k, words[m], strlen(words[m])) == 0)
+                return 1;
+    return 0;
+}
+
+int cagd_is_behind_wide_space(const cagd_reader *r)
+{
+    static const char *const spaces[] = {"\\quad", "\\qquad", "\\hspace", "\\hskip", "~~", NULL};
+    return is_behind(r, spaces);
+}
+
+/* A factor that begins a line, or stands behind a space, or behind a number that is no factor, may be the first of another formula: the relation behind
+ * it will tell. */
+static void note_break(cagd_reader *r, int behind_0_or_1)
+{
+    static const char *const spaces[] = {"\n", "\\;", "\\ ", "~", NULL};
+    if (behind_0_or_1 || is_behind(r, spaces))
+        r->broken = r->token, r->broken_depth = r->depth;
+}
+
 /* Whether another sum or product over that index comes next: what is summed ends before it. */
 static int is_sum(const char *word) { return strcmp(word, "\\sum") == 0 || strcmp(word, "\\prod") == 0; }
 static int is_over(const cagd_token *t, const char *index)
@@ -998,6 +1028,11 @@ static int may_be_arguments(const cagd_reader *r, const cagd_tree *t)
 }
 
 /* A product, or what a sum or product over an index is `inside`. */
+static int is_0_or_1(const cagd_tree *t)
+{
+    return t->kind == CAGD_NUMBER && (cagd_equal_q(t->number, from_int_q(0)) || cagd_equal_q(t->number, from_int_q(1)));
+}
+
 const cagd_tree *cagd_read_product_in(cagd_reader *r, cagd_tree_kind inside, const char *index)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
@@ -1019,8 +1054,10 @@ const cagd_tree *cagd_read_product_in(cagd_reader *r, cagd_tree_kind inside, con
         if (cagd_next_is(r, "/") && is_sum(r->token[1].word) && is_over(r->token + 1, index))
             break; /* a sum over i by another one */
         int dot = cagd_pass(r, sign), stroke = !dot && cagd_pass(r, "/");
-        if (!dot && !stroke && !begins_factor(r))
+        if (!dot && !stroke && (!begins_factor(r) || (r->squares == 0 && cagd_is_behind_wide_space(r))))
             break;
+        if (!dot && !stroke)
+            note_break(r, count == 1 && is_0_or_1(list[0]));
         if (is_sum(r->token->word) && is_over(r->token, index) && !dot && !stroke)
             break;
         if (cagd_next_is(r, "\\prod") && inside == CAGD_PRODUCT_OVER)
@@ -1225,10 +1262,16 @@ const cagd_tree *cagd_read_relations(cagd_reader *r)
             break;
         dots = r->token;
         int has_dots = pass_dots(r, c.count, c.relation);
+        r->broken = NULL;
         c.member[c.count] = cagd_read_sum(r);
         if (c.member[c.count++] == NULL || (has_dots && !fill_chain(r, &c, dots)))
             return NULL;
         pass_alignment(r);
+        cagd_relation next;
+        if (c.count > 1 && r->broken != NULL && r->broken_depth == r->depth + 1 && cagd_relation_next(r, &next)) {
+            r->token = r->broken;
+            return cagd_refuse_token(r, "does another formula begin here? write a comma before it, or \\cdot");
+        }
     } while (cagd_relation_next(r, &c.relation[c.count - 1]) && r->token++);
     if (cagd_changes_direction(c.relation, c.count - 1))
         return cagd_refuse_token(r, "a chain with < and >: write two relations");
@@ -1243,10 +1286,18 @@ const cagd_tree *cagd_read_relations(cagd_reader *r)
     return c.says == 1 ? c.said[0] : cagd_new_of(r, CAGD_ALL, from, c.says, c.said);
 }
 
+/* Whether another condition begins behind a wide space, as behind a comma. */
+static int goes_on_behind_space(const cagd_reader *r)
+{
+    return r->token->kind != CAGD_TOKEN_END && cagd_is_behind_wide_space(r) &&
+           (begins_factor(r) || cagd_next_is(r, "-")) && !cagd_is_truth_in_brackets(r);
+}
+
 const cagd_tree *cagd_read_conditions(cagd_reader *r)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
-    int count = 0, from = r->token->from, more, by_sign = 1, comma = -1; /* by_sign: by \land alone */
+    int count = 0, from = r->token->from, more, by_sign = 1, by_word = 0, comma = -1; /* by_sign: by \land alone */
+    unsigned long long asked = 0;
     do {
         const cagd_tree *t = cagd_share_bounds(r) ? cagd_read_condition(r) : NULL;
         if (t == NULL)
@@ -1255,11 +1306,15 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
         int several = t->kind == CAGD_ALL ? t->count : 1;
         if (count + several > CAGD_MOST_CHILDREN)
             return cagd_refuse_token(r, "more than %d conditions", CAGD_MOST_CHILDREN);
-        for (int k = 0; k < several; k++)
+        for (int k = 0; k < several; k++) {
+            asked |= by_word ? 1ull << count : 0;
             list[count++] = conditions[k];
+        }
         const cagd_token *here = r->token;
-        more = cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_pass(r, "\\land");
+        int by_space = goes_on_behind_space(r);
+        more = by_space || cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_pass(r, "\\land");
         const char *words = cagd_read_words(r);
+        by_word = words != NULL || here->word[0] == ';' || here->kind == CAGD_TOKEN_ROW;
         if (words != NULL &&
             (strcmp(words, "and") == 0 || strcmp(words, "and all") == 0 || strcmp(words, "and for all") == 0))
             more = 1;
@@ -1270,12 +1325,12 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
                      r->token->kind == CAGD_TOKEN_END || cagd_next_is(r, "\\\\") || cagd_next_is(r, "\\end")))
             more = 0;
         by_sign &= !more || strcmp(here->word, "\\land") == 0;
-        if (more && comma < 0 && strchr(",;", here->word[0]) != NULL)
+        if (more && comma < 0 && (by_space || strchr(",;", here->word[0]) != NULL))
             comma = here->from;
     } while (more);
     cagd_tree *all = count > 1 ? (cagd_tree *)cagd_new_of(r, CAGD_ALL, from, count, list) : NULL;
     if (all != NULL)
-        all->juxtaposed = by_sign;
+        all->juxtaposed = by_sign, all->asked = asked;
     r->comma = comma;
     return count == 1 ? list[0] : all;
 }

@@ -91,10 +91,33 @@ static int next_definition(const cagd_reader *r)
     return has_arguments && is_equal_sign(t) && strcmp(t[-1].word, ")") == 0;
 }
 
+/* Whether the name is one of many, without arguments, w_0. */
+static int is_one_of_those(const cagd_tree *name)
+{
+    int is = name->kind == CAGD_NAME && name->lower > 0 && name->arguments + name->upper == 0;
+    for (int k = 0; k < name->count && is; k++)
+        is = name->at[k]->kind == CAGD_NUMBER;
+    return is;
+}
+
+/* Whether another one of those that are called so and "=" come next, w_1 = \frac12 behind w_0 = 1: it has its own value. */
+static int next_of_those(const cagd_reader *r, const char *head)
+{
+    cagd_reader at = *r;
+    cagd_reading_error none = {0};
+    if (head == NULL || !cagd_begins_name(r))
+        return 0;
+    at.error = &none;
+    const cagd_tree *name = cagd_read_declared_name(&at);
+    return name != NULL && strcmp(name->head, head) == 0 && is_one_of_those(name) && is_equal_sign(at.token);
+}
+
 int cagd_next_is_other_definition(const cagd_reader *r)
 {
     cagd_reader at = *r;
     cagd_reading_error none = {0};
+    if (r->defines != NULL && next_of_those(r, r->defines_one_of))
+        return 1;
     if (r->defines == NULL || !next_definition(r))
         return 0;
     at.error = &none;
@@ -249,8 +272,9 @@ static int hides_no_argument(cagd_reader *r, const cagd_tree *left, const cagd_t
 }
 
 /* The right side of a definition, in which the arguments of the left side are known, and what stands behind it; `given`: NULL, or a
- * condition of the left side. */
-static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, const cagd_tree *given)
+ * condition of the left side; `one_of`: how those are called of which it is one, or NULL. */
+static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, const cagd_tree *given,
+                      const char *one_of)
 {
     struct cagd_bound bound[CAGD_MOST_CHILDREN];
     const struct cagd_bound *outside = r->bound;
@@ -291,15 +315,15 @@ static int right_side(cagd_reader *r, cagd_scope *scope, const cagd_tree *left, 
                 r->token += r->token[1].kind == CAGD_TOKEN_END;
             }
             bracket = cagd_is_truth_in_brackets(r) && cagd_pass(r, "(");
-            r->defines = left->head;
-            if (r->token->kind != CAGD_TOKEN_END && !next_definition(r)) {
+            r->defines = left->head, r->defines_one_of = one_of;
+            if (r->token->kind != CAGD_TOKEN_END && !next_definition(r) && !next_of_those(r, one_of)) {
                 const cagd_tree *both[2] = {d->when, condition(r)};
                 d->when = both[0] == NULL   ? both[1]
                           : both[1] == NULL ? NULL
                                             : cagd_new_of(r, CAGD_ALL, both[0]->from, 2, both);
                 read = d->when != NULL && (!bracket || cagd_expect(r, ")", "the condition"));
             }
-            r->defines = NULL;
+            r->defines = r->defines_one_of = NULL;
         }
     }
     read = read && hides_no_argument(r, left, body);
@@ -330,14 +354,15 @@ static int definition(cagd_reader *r, cagd_scope *scope)
     if (left == NULL || !cagd_is_left_side(r, left, 1) ||
         (!cagd_pass(r, ":=") && !cagd_expect(r, "=", "the left side")))
         return 0;
-    if (!right_side(r, scope, left, given))
+    const char *one_of = is_one_of_those(as_written) ? as_written->head : NULL;
+    if (!right_side(r, scope, left, given, one_of))
         return 0;
     const cagd_definition *last = cagd_defined(scope, left->head);
     while (last != NULL && last->next != NULL)
         last = last->next;
     if (is_value && last != NULL && last->when == given && cagd_refuse_degree(r, scope, as_written, last->body))
         return 0;
-    return !next_definition(r) || definition(r, scope);
+    return !(next_definition(r) || next_of_those(r, one_of)) || definition(r, scope);
 }
 
 static int is_zero_over_zero(const cagd_token *t)

@@ -649,6 +649,12 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     const cagd_tree *value = d != NULL && d->functions != 0 ? cagd_put_in_functional(r, d, t) : t;
     if (p.power == NULL || value == NULL)
         return value;
+    if (!r->declaring && p.arguments == 0 && cagd_defined(r->scope, joined(r, "", p.head, "^()")) != NULL)
+        return cagd_refuse_reading(r->error, from, r->token[-1].to,
+                                   "a power, or the function with that upper index without its argument? write "
+                                   "brackets around %s, or the argument",
+                                   cagd_spelled(p.head)),
+               NULL;
     return cagd_power_of(r, value, p.power, from);
 }
 

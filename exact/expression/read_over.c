@@ -1,4 +1,5 @@
 /* read_over.c -- fractions and derivatives, sums and products over an index, integrals. */
+#include "exact/expression/depends.h"
 #include "exact/expression/reader.h"
 #include "exact/words.h"
 
@@ -57,8 +58,70 @@ static int by_what(cagd_reader *r, struct by *by)
     return !cagd_pass(r, "^") || (by->order = cagd_read_argument(r, 1)) != NULL;
 }
 
+/* The definition of a function without its arguments; NULL of anything else. */
+static const cagd_definition *bare_function(const cagd_reader *r, const cagd_tree *t)
+{
+    return cagd_is_bare_function(r, t) ? cagd_defined(r->scope, t->head) : NULL;
+}
+
+/* Whether t changes with the letter: it has it, by itself or in a definition, or a function of it without its arguments. */
+static int changes_with(const cagd_reader *r, const cagd_tree *t, const char *letter)
+{
+    const cagd_definition *d = bare_function(r, t);
+    if (d != NULL && cagd_tree_has(d->left, letter))
+        return 1;
+    for (int k = 0; k < t->count; k++)
+        if (changes_with(r, t->at[k], letter))
+            return 1;
+    return cagd_tree_has(t, letter) || cagd_depends_on(r->scope, t, letter);
+}
+
+static int has_function(const cagd_reader *r, const cagd_tree *t)
+{
+    const cagd_definition *d = t->kind == CAGD_NAME ? cagd_defined(r->scope, t->head) : NULL;
+    int has = d != NULL && d->left->arguments > 0;
+    for (int k = 0; k < t->count && !has; k++)
+        has = has_function(r, t->at[k]);
+    return has;
+}
+
+/* \frac{d}{dt} f(0), which is 0: nobody writes that of a function. */
+static int refuse_constant(cagd_reader *r, const cagd_tree *body, struct by by)
+{
+    if (r->defining > 0 || by.name != NULL || changes_with(r, body, by.head) || !has_function(r, body))
+        return 0;
+    cagd_refuse_tree(
+        r, body,
+        "this does not change with %s, so its derivative is 0: is the value of the derivative meant? write f'(0), or "
+        "\\left. \\frac{d}{d%s} f(%s) \\right|_{%s=0}",
+        cagd_spelled(by.head), by.head, by.head, by.head);
+    return 1;
+}
+
+/* \frac{d^2 f}{dt^2}(0), the fraction being passed: f''(0). */
+static const cagd_tree *derivative_at(cagd_reader *r, const cagd_tree *body, struct by by)
+{
+    const cagd_definition *d = body != NULL && cagd_next_is(r, "(") ? bare_function(r, body) : NULL;
+    const cagd_tree *argument = d != NULL ? d->left->at[d->left->lower + d->left->upper] : NULL;
+    long order = 1;
+    if (argument == NULL || (d->left->arguments > 1 && d->left->before_semicolon != 1) || argument->kind != CAGD_NAME ||
+        strcmp(argument->head, by.head) != 0 ||
+        (by.order != NULL &&
+         (by.order->kind != CAGD_NUMBER || !cagd_is_whole_in_long(by.order, &order) || order > 100)))
+        return NULL;
+    cagd_tree *f = cagd_new_of(r, CAGD_NAME, body->from, body->count, body->at);
+    if (f == NULL)
+        return NULL;
+    const cagd_tree **at = f->at;
+    *f = *body;
+    f->at = at, f->order += (int)order;
+    return cagd_read_primed_group(r, f);
+}
+
 static const cagd_tree *derivative_of(cagd_reader *r, int from, const cagd_tree *body, struct by by)
 {
+    if (body != NULL && refuse_constant(r, body, by))
+        return NULL;
     cagd_tree *t =
         cagd_new_of(r, CAGD_DERIVATIVE, from, by.name != NULL ? 3 : 2, (const cagd_tree *[]){body, by.order, by.name});
     if (t != NULL)
@@ -153,7 +216,12 @@ static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
         return mixed_derivative(r, from, order, body, by);
     if ((order == NULL) != (by.order == NULL) || (order != NULL && !cagd_tree_equal(order, by.order)))
         return cagd_refuse_token(r, "the orders above and below are not the same");
-    if (!cagd_expect(r, "}", "the derivative") || (body != NULL && cagd_refuse_argument(r, body)))
+    if (!cagd_expect(r, "}", "the derivative"))
+        return NULL;
+    const cagd_tree *value = derivative_at(r, body, by);
+    if (value != NULL || r->error->message[0] != '\0')
+        return value;
+    if (body != NULL && cagd_refuse_argument(r, body))
         return NULL;
     int follows = body == NULL;
     if (follows)

@@ -314,11 +314,66 @@ static const char *range_behind(const cagd_reader *r, cagd_list *list, const cag
     return NULL;
 }
 
+/* Whether t is of whole numbers that were declared, and numbers; the last letter of them. */
+static int is_of_whole_letters(const cagd_reader *r, const cagd_tree *t, const char **letter)
+{
+    const cagd_variable *v = t->kind == CAGD_NAME ? cagd_declared(r->scope, t->head) : NULL;
+    int is = t->kind == CAGD_NUMBER || t->kind == CAGD_SUM || t->kind == CAGD_PRODUCT || t->kind == CAGD_NEGATIVE ||
+             t->kind == CAGD_RELATION || (v != NULL && v->whole && t->count == 0);
+    if (v != NULL)
+        *letter = t->head;
+    for (int k = 0; k < t->count && is; k++)
+        is = is_of_whole_letters(r, t->at[k], letter);
+    return is;
+}
+
+/* i = 0, \dots, n of a declared i, the list being passed: 0 \le i \le n. */
+static const cagd_tree *within(cagd_reader *r, const cagd_token *t, const cagd_list *list)
+{
+    static const cagd_relation at_most[] = {CAGD_LESS_OR_EQUAL, CAGD_LESS_OR_EQUAL};
+    cagd_tree *name = cagd_new(r, CAGD_NAME, t->from, 0);
+    if (name == NULL || list->step != 1 || list->count > 0)
+        return NULL;
+    name->head = t->word;
+    cagd_tree *all = cagd_new_of(r, CAGD_RELATION, t->from, 3, (const cagd_tree *[]){list->low, name, list->high});
+    if (all != NULL)
+        all->relation = at_most;
+    return all;
+}
+
+/* The first condition on declared whole numbers behind what the row says, i \ge 1, which is of that row; NULL where there is none. */
+static const cagd_tree *condition_behind(const cagd_reader *r, const cagd_token **from, const cagd_token **to)
+{
+    const cagd_token *first = r->token, *end = first;
+    while (end->kind != CAGD_TOKEN_END)
+        end++;
+    for (const cagd_token *t = first + 1; t < end; t++) {
+        int close;
+        cagd_reading_error none = {0};
+        cagd_reader at = *r;
+        cagd_list list;
+        if ((*from = before_range(r, first, t, &close)) == NULL)
+            continue;
+        at.error = &none, at.looking = 1, at.token = t;
+        const cagd_tree *said = cagd_begins_range(t) && cagd_read_index_range(&at, &list) ? within(&at, t, &list)
+                                                                                          : cagd_read_relations(&at);
+        const char *letter = NULL;
+        if (said == NULL || !is_of_whole_letters(r, said, &letter) || letter == NULL ||
+            (close && strcmp(at.token->word, ")") != 0))
+            continue;
+        *to = at.token + close;
+        if (((*to)->kind == CAGD_TOKEN_END || strchr(",;.", (*to)->word[0]) != NULL) &&
+            is_besides(letter, first, end, *from, *to))
+            return said;
+    }
+    return NULL;
+}
+
 int cagd_row_has_range(const cagd_reader *r)
 {
     cagd_list list;
     const cagd_token *from, *to;
-    return range_behind(r, &list, &from, &to) != NULL;
+    return range_behind(r, &list, &from, &to) != NULL || condition_behind(r, &from, &to) != NULL;
 }
 
 const cagd_tree *cagd_read_row(cagd_reader *r)
@@ -336,7 +391,13 @@ const cagd_tree *cagd_read_row(cagd_reader *r)
         own.list[own.count] = list;
         r->bound = &own.letter[own.count++];
     }
-    const cagd_tree *t = cagd_for_own_ranges(r, cagd_read_for_all_numbers(r), &own);
+    const cagd_tree *condition = condition_behind(r, &from, &to);
+    if (condition != NULL && (r->token = without(r, from, to)) == NULL)
+        return NULL;
+    const cagd_tree *t = cagd_read_for_all_numbers(r);
+    if (t != NULL && condition != NULL)
+        t = cagd_new_of(r, CAGD_IMPLIES, t->from, 2, (const cagd_tree *[]){condition, t});
+    t = cagd_for_own_ranges(r, t, &own);
     r->bound = outside;
     return t;
 }

@@ -329,5 +329,8 @@ const cagd_tree *cagd_read_rows_apart(cagd_reader *r)
     }
     while (r->token->kind != CAGD_TOKEN_END)
         r->token++;
-    return count == 1 ? list[0] : cagd_new_of(r, CAGD_ALL, from, count, list);
+    cagd_tree *all = count > 1 ? (cagd_tree *)cagd_new_of(r, CAGD_ALL, from, count, list) : NULL;
+    if (all != NULL)
+        all->asked = ~1ull;
+    return count == 1 ? list[0] : all;
 }

@@ -462,7 +462,8 @@ static const cagd_tree *parts_supposed(cagd_reader *r, enum supposing how)
         for (int k = 0; k < several; k++) {
             if (!member && is_unclear(r, parts[k], count == 0, behind_range, how))
                 return NULL;
-            behind_range |= member || cagd_is_range_of_name(r->scope, parts[k], NULL);
+            behind_range |= member || cagd_is_range_of_name(r->scope, parts[k], NULL) ||
+                            (how == FOR_RANGES && cagd_is_of_plain_names(r->scope, parts[k]));
             list[count++] = parts[k];
         }
     } while (cagd_next_is_member(r) || pass_to_part(r));

@@ -29,10 +29,14 @@ typedef struct cagd_reader {
     int premises;        /* in what is supposed                                     */
     int lists;           /* likewise i = 0, 1, 2 is a condition                     */
     const char *defines; /* behind the definition of that name: another one may follow a comma */
+    const char *defines_one_of; /* the head of w_0, where w_1 = ... may follow with a value of its own, or NULL */
     int nodes;
     int defining;               /* the right side of a definition */
     int looking;                /* ahead, where nothing is asked for that would be read once more */
     const cagd_token *left_out; /* the last dots that leave steps of a chain out */
+    const cagd_token *broken;   /* the last factor that begins a line, or stands behind a space, and how deep it is */
+    int broken_depth;
+    int squares; /* brackets [ that are open: in them spaces divide the components of a row */
     const cagd_token *ranged;   /* the last quantifier over real numbers */
     int comma;                  /* where the last comma between the conditions that were read begins; -1 without one */
 } cagd_reader;
@@ -186,6 +190,8 @@ const cagd_tree *cagd_read_condition(cagd_reader *r);
 int cagd_begins_range(const cagd_token *t);
 int cagd_read_index_range(cagd_reader *r, cagd_list *list);
 int cagd_relation_next(const cagd_reader *r, cagd_relation *relation);
+/* Whether \quad or another wide space stands before the next token: it divides formulas as a comma does. */
+int cagd_is_behind_wide_space(const cagd_reader *r);
 /* Whether a chain has relations of both directions. */
 int cagd_changes_direction(const cagd_relation relation[], int count);
 /* The words of \text{...} if they come next, passed; "" for an empty one, and NULL if none comes next. */

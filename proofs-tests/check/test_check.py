@@ -234,7 +234,7 @@ class Language(unittest.TestCase):
                 (r"w_0 = w_1 = \dots = w_n = 1 \Rightarrow \sum_{i=0}^n w_i = n+1", "n = 1..3", "holds"), (r"w_0 = w_1 = \dots = w_n = 1 \Rightarrow \sum_{i=0}^n w_i = n", "n = 1..3", "fails"),
                 (r"w_0 < w_1 < \dots < w_n \Rightarrow w_0 < w_2", "n = 2..4", "holds"), (r"w_0 < w_1 < \dots < w_n \Rightarrow w_2 < w_1", "n = 2..4", "fails"),
                 (r"w_0 < \dots < w_n \Rightarrow w_0 < w_1", "n = 1..3", "holds"), (r"w_1 \le \dots \le w_n \le x \Rightarrow w_1 \le x", "n = 2..4", "holds"),
-                (r"w_0 = w_1 = \dots = w_n", "n = 2..3", "fails"), (r"F(0) = F(1) = \dots = F(n)", "n = 1..3", "fails"), (r"0 F(0) = 0 F(1) = \dots = 0 F(n)", "n = 1..3", "holds"),
+                (r"w_0 = w_1 = \dots = w_n", "n = 2..3", "fails"), (r"F(0) = F(1) = \dots = F(n)", "n = 1..3", "fails"), (r"0 \cdot F(0) = 0 \cdot F(1) = \dots = 0 \cdot F(n)", "n = 1..3", "holds"),
                 (r"w_0 = w_1 = \dots = w_n \Rightarrow w_0 = w_2", "n = 0..1", "fails"), (r"(x+y)^2 = \dots = x^2 + 2xy + y^2", "n = 1", "holds"), (r"(x+y)^2 = \dots = x^2 + y^2", "n = 1", "fails")):
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
@@ -554,13 +554,15 @@ M(t) = \begin{cases} t - x & t \ge x \\ 0 & t < x \end{cases}
 
     def test_what_could_be_an_argument_or_a_factor_is_asked_for(self):
         let = "f(t) = t^3\ng(s,t) = s^2 t^3\n"
-        for printed in (r"\frac{df}{dt}(t) = 3 t^2", r"(f + F)(t) = f(t) + F(t)", r"\frac{\partial g}{\partial s}(s,t) = 2 s t^3",
+        for printed in (r"(f + F)(t) = f(t) + F(t)", r"\frac{\partial g}{\partial s}(s,t) = 2 s t^3",
                         "(f - F)(1-t) = (f(t) - F(t)) (1-t)"):
             with self.subTest(printed=printed):
                 r = check(document(printed, "n = 2", let))
                 self.assertEqual(r.returncode, 2)
                 self.assertIn(r"arguments of what stands before, or a factor?", r.stderr)
         self.assertEqual(verdict("(f - F) \\cdot (1-t) = (f(t) - F(t)) (1-t)", "n = 2", let)["verdict"], "holds")
+        for printed, expected in ((r"\frac{df}{dt}(t) = 3 t^2", "holds"), (r"\frac{df}{dt}(2) = 12", "holds"), (r"\frac{df}{dt}(2) = 8", "fails"), (r"\frac{d^2 f}{dt^2}(2) = 12", "holds"), (r"\frac{d^2 f}{dt^2}(1-t) = 6(1-t)", "holds")):
+            self.assertEqual(verdict(printed, "n = 2", let)["verdict"], expected, printed)
 
     def test_implications_and_quantifiers(self):
         for printed, expected in (
@@ -1917,6 +1919,46 @@ class AsPapersHaveIt(unittest.TestCase):
             with self.subTest(printed=printed):
                 r = check(document(printed, "n = 1", let), "--json")
                 self.assertEqual(json.loads(r.stdout)["statements"][0]["verdict"] if r.stdout else None, expected, r.stderr)
+
+    def test_formulas_side_by_side_are_no_factors(self):
+        """A wide space divides formulas as a comma does; behind a smaller one, in the next line, and behind 0 and 1, where relations are on both sides, it is asked."""
+        let = "b_0(t) = (1-t)^2\nb_1(t) = 2t(1-t)\nG(t) = t^2"
+        for printed, expected in ((r"b_1(0) = 0 \qquad b_0(0) = 0", "fails"), (r"b_0(0) = 1 \quad b_1(0) = 0", "holds"), (r"G(1) = 1 \qquad G(2) = 4", "holds"), (r"G(1) = 1 \hspace{1cm} G(2) = 5", "fails"), (r"G(x) \ge x \qquad x \ge 1", "holds"), (r"G(x) \ge x \quad x \ge 0", "fails"),
+                                  (r"B_i^n(0) = 0 \qquad i > 0", "holds"), (r"B_i^n(0) = 0 \qquad i \ge 0", "fails"), (r"B_i^n(t) \ge 0 \quad 0 \le t \le 1", "holds"), (r"x - x = 0 \quad y = 0", "undecided"), (r"G(x) = x \cdot x", "holds"), ("G(x)\n= x\nx", "holds"), (r"G(x) = x \; x", "holds"),
+                                  (r"G(x) = \begin{cases} x^2 \quad & x \ge 0 \\ (-x)^2 \quad & x < 0 \end{cases}", "holds")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 1..3, i = 0..n", let) if "n" in printed.replace("begin", "").replace("end", "") else verdict(printed, "n = 1", let)
+                self.assertEqual(s["verdict"], expected, s)
+        for printed in ("b_1(0) = 0\nb_0(0) = 0", "b_0(0) = 1\nb_1(0) = 0", r"G(2) = 4 \; G(1) = 1", "G(2) = 4 ~ G(1) = 1", "b_1(0) = 0 b_0(0) = 0", r"2(x+1)^2 = 2x^2+4x+1 \quad (2)", r"[1 \quad x] \cdot [x \quad 1] = 2x", r"G(x) = x^2 \qquad (2.1)"):
+            r = check(document(printed, "n = 1", let))
+            self.assertEqual(r.returncode, 2, printed + r.stdout)
+
+    def test_conditions_of_one_row_are_of_that_row(self):
+        rows = lambda first, second, environment="aligned": f"\\begin{{{environment}}} {first} \\\\ {second} \\end{{{environment}}}"
+        for printed, expected in ((rows(r"B_i^n(0) &= 0, \quad i \ge 1", "B_i^n(0) &= 0"), "fails"), (rows(r"B_i^n(0) &= 0, \quad i \ge 1", r"B_i^n(1) &= 0, \quad i \le n - 1"), "holds"), (rows(r"B_i^n(1) &= 0, \quad 1 \le i \le n", r"B_i^n(1) &= 0, \quad 0 \le i \le n-1"), "fails"),
+                                  (rows(r"B_i^n(0) = 0, \quad i = 1, \dots, n", r"B_i^n(1) = 0, \quad (i < n)", "cases"), "holds"), (rows(r"B_i^n(0) = 0, \quad i = 0, \dots, n", r"B_i^n(1) = 0, \quad (i < n)", "gathered"), "fails"),
+                                  (rows(r"F(x) &\ge 0", r"x &\ge 5"), "undecided"), (r"F(x) \ge 0 \text{ and } x \ge 5", "undecided"), (r"F(x) \ge 0; \; x \ge 5", "undecided"), (r"F(x) \ge 0, x \ge 5", "holds"), (r"F(x) \ge 0 \land x \ge 5", "fails"),
+                                  (r"B_i^n(1) = 0, \; 1 \le i \le n, \quad B_i^n(1) = 0, \; 0 \le i \le n-1", "undecided"), (r"|x^3| \le 1, \quad |x| \le 1", "undecided"), (r"|x^3| \le 1, \quad |x| \le 2", "fails")):
+            with self.subTest(printed=printed):
+                self.assertEqual((s := verdict(printed, "n = 1..3, i = 0..n"))["verdict"], expected, s)
+        self.assertEqual(check(document(r"B_i^n(1) = 0 \text{ for } i \ge 1, \quad B_i^n(1) = 0 \text{ for } i \le n-1", "n = 1..3, i = 0..n")).returncode, 2)
+
+    def test_values_side_by_side(self):
+        """Several of those that are called so have a value each: none of them is a condition of another one."""
+        for lines in ("\\begin{cases} c_0 = 1 \\\\ c_1 = 2 \\\\ c_2 = 1 \\end{cases}", "\\begin{aligned} c_0 &= 1 \\\\ c_1 &= 2 \\\\ c_2 &= 1 \\end{aligned}", "c_0 = 1, \\quad c_1 = 2, \\quad c_2 = 1", "c_0 = 1, c_1 = 2, c_2 = 1", "c_0 = 1 \\quad c_1 = 2 \\quad c_2 = 1"):
+            for before in ("", "c_i > 0\n", "c_i \\in \\mathbb{R}\n"):
+                with self.subTest(lines=lines, before=before):
+                    self.assertEqual(verdict("c_0 + 3 c_1 + c_2 = 8", "n = 1", before + lines)["verdict"], "holds")
+                    self.assertEqual(verdict("c_0 = 1, c_1 = 1", "n = 1", before + lines)["verdict"], "fails")
+        self.assertEqual(verdict("P_0 + P_1 + P_2 = (3, 2)", "n = 1", "P_0 = (0,0), P_1 = (1,2), P_2 = (2,0)")["verdict"], "holds")
+
+    def test_derivatives_of_what_does_not_change_are_asked_for(self):
+        let = "g(t;s) = s t^3\nc_i \\in \\mathbb{R}\nc_0^1(t) = (1-t) c_0 + t c_1"
+        for printed in (r"\frac{d}{dt} F(0) = 0", r"\frac{dF(0)}{dt} = 1", r"\frac{dF}{dx} = 0", r"\frac{d^2}{dt^2} g(1) = 0"):
+            self.assertIn("its derivative is 0", check(document(printed, "n = 1", let)).stderr, printed)
+        for printed, expected in ((r"\frac{d}{dt} (t F(3)) = F(3)", "holds"), (r"\frac{dg}{ds} = t^3", "holds"), (r"\frac{d}{dx} y = 0", "holds"), (r"\frac{dF}{dt}(3) = 6", "holds"), (r"\frac{d^2 g}{dt^2}(2) = 12 s", "holds"), (r"c_0^1(t) = (1-t) c_0 + t c_1", "holds"), (r"(c_0)^1 = c_0", "holds")):
+            self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected, printed)
+        self.assertIn("a power, or the function", check(document("c_0^1 = c_0", "n = 1", let)).stderr)
 
     def test_rows_with_a_range_each(self):
         """The range behind a row is that of the row, and what fails is told with its row and its number."""
