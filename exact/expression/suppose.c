@@ -109,15 +109,26 @@ static int index_of(const char *key, const char *head, long *index)
     return end != key && strcmp(end, braces ? "}" : "") == 0;
 }
 
-/* The least and the greatest index that any name of the tree has. */
+static void take_index(long index, long *low, long *high)
+{
+    *low = index < *low ? index : *low;
+    *high = index > *high ? index : *high;
+}
+
+/* The least and the greatest index that any name of the tree has, of those that were met, and of those that have values of their own, u_0 = 0. */
 static void find_range(const cagd_context *c, const cagd_tree *t, long *low, long *high)
 {
     for (int k = 0; t->kind == CAGD_NAME && t->lower == 1 && k < c->count; k++) {
         long index;
-        if (c->binding[k].near || !index_of(c->binding[k].key, t->head, &index))
-            continue;
-        *low = index < *low ? index : *low;
-        *high = index > *high ? index : *high;
+        if (!c->binding[k].near && index_of(c->binding[k].key, t->head, &index))
+            take_index(index, low, high);
+    }
+    for (const cagd_definition *d = c->scope->definitions; t->kind == CAGD_NAME && t->lower == 1 && d != NULL;
+         d = d->next) {
+        long index;
+        if (strcmp(d->left->head, t->head) == 0 && d->left->count == 1 && d->left->at[0]->kind == CAGD_NUMBER &&
+            cagd_value_is_whole(cagd_value_q(d->left->at[0]->number), &index))
+            take_index(index, low, high);
     }
     for (int k = 0; k < t->count; k++)
         find_range(c, t->at[k], low, high);
@@ -140,17 +151,36 @@ static int is_within(cagd_context *c, const cagd_tree *t, const cagd_frame *f, l
 
 enum { FARTHEST = 16 }; /* how far indices of a condition are from its letter */
 
-/* Calls `each` for every value of the letter with which the condition t speaks of names from the first to the last; the least answer. */
-static int for_every_index(cagd_context *c, const cagd_tree *t,
-                           int (*each)(cagd_context *, const cagd_tree *, const cagd_frame *))
+typedef int answer_of(cagd_context *, const cagd_tree *, const cagd_frame *);
+
+/* The condition t for every value of its letter with which it speaks of names from the first to the last; the least answer. */
+static int for_every_value(cagd_context *c, const char *letter, const cagd_tree *t, long low, long high,
+                           answer_of *each)
+{
+    int result = 1;
+    for (long k = low - FARTHEST; k <= high + FARTHEST && result > 0; k++) {
+        cagd_frame f = {letter, cagd_value_int(k), NULL};
+        if (is_within(c, t, &f, low, high))
+            result = each(c, t, &f);
+    }
+    return result;
+}
+
+/* Of a chain, 0 \le u_i \le u_{i+1}, each relation by itself: one of them may speak of fewer names. */
+static int for_every_index(cagd_context *c, const cagd_tree *t, answer_of *each)
 {
     long low = FARTHEST * 1000, high = -low;
+    const cagd_tree *said = t->at[0];
     int result = 1;
-    find_range(c, t->at[0], &low, &high);
-    for (long k = low - FARTHEST; k <= high + FARTHEST && result > 0; k++) {
-        cagd_frame f = {t->head, cagd_value_int(k), NULL};
-        if (is_within(c, t->at[0], &f, low, high))
-            result = each(c, t->at[0], &f);
+    find_range(c, said, &low, &high);
+    if (said->kind != CAGD_RELATION)
+        return for_every_value(c, t->head, said, low, high, each);
+    for (int k = 0; k + 1 < said->count && result > 0; k++) {
+        cagd_tree *link = cagd_tree_new(CAGD_RELATION, said->from, said->to, 2);
+        if (link == NULL)
+            return -1;
+        link->at[0] = said->at[k], link->at[1] = said->at[k + 1], link->relation = said->relation + k;
+        result = for_every_value(c, t->head, link, low, high, each);
     }
     return result;
 }
@@ -165,7 +195,8 @@ static int suppose_or_leave(cagd_context *c, const cagd_tree *t, const cagd_fram
 
 void cagd_suppose_for_names(cagd_context *c)
 {
-    for (int k = 0; k < c->scope->condition_count && c->supposed < c->count; k++) {
+    const int is_new = c->supposed < c->count; /* a name was met */
+    for (int k = 0; k < c->scope->condition_count && is_new; k++) {
         const cagd_tree *t = c->scope->conditions[k];
         const char *split = c->split;
         int has_cut = c->has_cut;

@@ -1960,6 +1960,19 @@ class AsPapersHaveIt(unittest.TestCase):
             self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected, printed)
         self.assertIn("a power, or the function", check(document("c_0^1 = c_0", "n = 1", let)).stderr)
 
+    def test_bounds_by_neighbours_reach_those_with_values(self):
+        """What is said of every index is said of those with values, and of those between that the formula does not have; each relation of a chain, and every one of several conditions."""
+        let = "c_i \\le c_{i+1}\nd_i < d_{i+1}\nh_i = d_{i+1} - d_i\n0 \\le e_i \\le e_{i+1}\n1 \\le q_i \\le q_{i+1} \\le 2\nf_i < g_i < f_{i+1}"
+        for printed, ranges, expected in ((r"c_1 \ge c_0", "c_0 = 0", "holds"), (r"c_1 > c_0", "c_0 = 0", "fails"), (r"c_2 \ge c_0", "c_1 = c_2 = 0", "holds"), (r"h_0 > 0", "d_0 = 0", "holds"), (r"h_0 > 1", "d_0 = 0", "fails"), (r"e_1 \ge 0", "n = 1", "holds"), (r"e_1 > 0", "n = 1", "fails"),
+                                          (r"q_3 \le 2, q_3 \ge 1", "n = 1", "holds"), (r"q_3 < 2", "n = 1", "fails"), (r"0 \le d_2 \le 1", "d_0 = 0, d_4 = 1", "holds"), (r"0 \le d_2 \le 1", "d_0 = 0, d_4 = 2", "fails"), (r"0 < d_2 < 1", "d_0 = 0, d_4 = 1", "holds"), (r"f_0 < g_0", "n = 1", "holds"), (r"g_0 < f_1", "n = 1", "holds"), (r"g_0 < f_0", "n = 1", "fails")):
+            with self.subTest(printed=printed, ranges=ranges):
+                s = verdict(printed, ranges, let)
+                self.assertEqual(s["verdict"], expected, s)
+        s = verdict(r"0 \le d_2 \le 1", "d_0 = 0, d_4 = 2", let)["counterexample"]
+        d = {v["name"]: fractions.Fraction(v["value"]) for v in s["values"]}
+        self.assertTrue(0 < d["d_1"] < d["d_2"] < d["d_3"] < 2 and d["d_2"] > 1, d)
+        self.assertIn(verdict(r"c_1 \ge c_0", "c_0 = 0, c_{90} = 1", let)["verdict"], {"holds", "undecided"})
+
     def test_rows_with_a_range_each(self):
         """The range behind a row is that of the row, and what fails is told with its row and its number."""
         rows = lambda first, second, environment="aligned": f"\\begin{{{environment}}} {first} \\\\ {second} \\end{{{environment}}}"
