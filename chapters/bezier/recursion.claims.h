@@ -152,10 +152,10 @@ CLAIM(many_points_may_crowd)
 :::{statement} slides-ch4:4-recursion-notation
 :title: What P_k,l is
 :zh: P_{k,l}(t) 的定义
-:printed: $P_{k,l}(t)$, $0\le t\le1$, is the Bézier curve of the points $P_k,P_{k+1},\dots,P_{k+l}$
+:printed: $P_{k,l}(t)$, $0\le t\le1$, is the Bézier curve of the points $P_k,P_{k+1},\dots,P_{k+l}$; then $P_{0,n}(t)=(1-t)P_{0,n-1}(t)+tP_{1,n}(t)$
 :refuted-by: one_point_too_many_breaks_the_recursion
 :class: misprint
-:corrected: $P_{k,l}$ is the curve of $P_k,P_{k+1},\dots,P_l$; so read the recursion is true.
+:corrected: $P_{k,l}$ is the curve of $P_k,P_{k+1},\dots,P_l$; with it the recursion is true.
 :corrected-by: bernstein_recurrence
 :confirmed-by: curve_blends_two_curves_of_one_point_less
 :figure: two_curves_of_one_point_less

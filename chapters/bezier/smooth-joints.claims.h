@@ -73,7 +73,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :::{statement} slides-ch4:4-joint-g1-point
 :title: The joint divides the segment from P2 to Q1
 :zh: 连接点为 P2Q1 的定比分点
-:printed: $Q_0=P_3=\frac{Q_1+aP_2}{1+a}$
+:printed: from $Q_1-Q_0=a(P_3-P_2)$: $Q_0=P_3=\frac{Q_1+aP_2}{1+a}$
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
 :needs: ratio_minus_one_has_no_quotient | the condition by derivatives, `slides-ch4:4-joint-g1`: $a>0$ | $a>0$; of all other ratios $a=-1$ alone has no quotient
 :figure: joint_of_cubics

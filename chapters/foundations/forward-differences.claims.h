@@ -30,7 +30,8 @@ knows one column of the table, the point and its $n$ differences at one place, f
 :zh: 一阶差分
 :printed: \Delta P(t)=3A\delta t^2+(3A\delta^2+2B\delta)t+A\delta^3+B\delta^2+C\delta
 :holds-by: differences_of_a_cubic
-:meant: the words before it, forward differences (向前差分) | $\Delta P(t)=P(t+\delta)-P(t)$.
+:meant: the words before it, forward differences (向前差分) | $\Delta P(t)=P(t+\delta)-P(t)$, and not the
+  $P(t-\delta)-P(t)$ that is printed for it in the same line: see `hu-1987:1-4-difference-1-definition`.
 :figure: forward_differences
 :::
 

@@ -22,13 +22,14 @@ enum { dim = 2, space = 3 };
 :printed: In general the pieces should reach continuity of position, slope and curvature, called $C^0$, $C^1$, $C^2$ continuity, as the case demands.
 :refuted-by: continuous_slope_with_another_speed
 :class: false
-:corrected: Let $\dot P_{\mathrm I}(1)\ne0$.  Position and slope are continuous when (1-5-1) and (1-5-2) hold with some $\lambda>0$, and so is the
-  vector of curvature when (1-5-3) holds as well: at the joint the curve is then $C^1$, $C^2$ after a change of the parameter of one piece.
+:corrected: Let $\dot P_{\mathrm I}(1)\ne0$.  Position and slope are continuous when $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$ and $\dot P_{\mathrm{II}}(0)=\lambda\dot P_{\mathrm I}(1)$ with some $\lambda>0$,
+  and so is the vector of curvature when $\ddot P_{\mathrm{II}}(0)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$ as well: at the joint the curve is then $C^1$, or $C^2$, after a change of
+  the parameter of one piece.
 :corrected-by: conditions_make_one_curve_in_another_parameter equal_unit_tangents_fix_the_ratio condition_keeps_the_curvature_vector
   curvature_vector_is_the_turning_of_the_tangent
 :hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; where all vectors in the three conditions are 0
   they hold at a corner.
-:meant: the definition of $C^r$ in section 1-4 of the same book | $C^0$, $C^1$, $C^2$ say of the derivatives what they say there.
+:meant: the definition of $C^r$ in section 1-4 of the same book | $C^r$ says that the derivatives up to the order $r$ are continuous.
 :reading: continuous_slope_with_another_speed | $C^r$ is what section 1-4 defines
 :reading: $C^0$, $C^1$, $C^2$ are here no more than names of the three properties, by the word "called" (称为): a choice of words, of which nothing is to be
   decided

@@ -457,10 +457,10 @@ Every graph is among the parametric curves, with $x=t$, and among the surfaces, 
 :zh: 变量个数不限,便于扩展到高维
 :printed: In parametric equations the algebraic and the geometric, the dependent and the independent variables are completely separated, and
   their number is not limited, so that it is easy to take curves and surfaces from a space of few dimensions to one of more.
-:reading: matrices_pass_to_the_points | from a plane to space: whatever third coordinates the points get, the curve of the plane stays what the first two are, as the
+:reading: matrices_pass_to_the_points | from a plane to space: whatever third coordinates the points get, the curve of the plane, or the surface if the functions have two parameters, stays what the first two are, as the
   matrix that leaves the third one out shows
-:reading: another_coordinate_changes_no_other | from any number of coordinates to one more: the curve keeps those that it has | Each coordinate of the curve is a sum of its own, of the same
-  functions times this coordinate of the points.
+:reading: another_coordinate_changes_no_other | of a curve, from any number of coordinates to one more: it keeps those that it has | Each coordinate of the curve is a sum of its own, of the same
+  functions times this coordinate of the points.  So it is for every degree, and for surfaces with functions of two parameters: that is no more than this sentence.
 :reading: what is easy, when variables are completely separated, and which variables besides the coordinates have a number without limit: the slides do not say, so that nothing is there to be decided
 :::
 

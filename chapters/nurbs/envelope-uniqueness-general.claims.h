@@ -391,8 +391,8 @@ CLAIM(weights_of_two_parameters_differ_as_printed)
 :corrected: the last two sums begin at $i=j-k+r$, as those of the lines before
 :corrected-by: level_by_sums_over_the_level_before
 :reading: first_term_of_the_chain_divides_by_zero | with division by its letter, at multiple knots: the terms $i=j-k+r$
-  and $i=j$ contain B-splines that vanish on the span over differences of knots that may be $0$; but by (2.1.1) $0/0$ counts as $0$
-:meant: (2.1.1), by which $0/0$ counts as $0$ | No division by its letter: a term with a B-spline that vanishes is
+  and $i=j$ contain B-splines that vanish on the span over differences of knots that may be $0$; but by the usual agreement $0/0$ counts as $0$
+:meant: the agreement that goes with the recursion of Cox and de Boor, (2.1.1), which is not in the text at hand: $0/0$ counts as $0$ | No division by its letter: a term with a B-spline that vanishes is
   left out.
 :figure: divisor_zero
 

@@ -255,10 +255,10 @@ CLAIM(keys_have_the_years_of_their_entries)
 :::{statement} wang-ch4:references-cited
 :title: The numbered references
 :zh: 参考文献的引用
-:printed: the references 1 to 19
+:printed: the list has the references 1 to 19, and the text cites them by these numbers
 :holds-by: numbered_references_are_all_cited
 
-Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 has SIGGRAH for SIGGRAPH, and the references 4, 7 and 8 have "its Application" in
+Every number that is cited is in the list, and every entry of the list is cited.  The number 2 itself is lost in the text at hand, where the entry of Versprille stands between 1 and 3.  Reference 9 has SIGGRAH for SIGGRAPH, and the references 4, 7 and 8 have "its Application" in
 the name of IEEE Computer Graphics and Applications.
 :::
 

@@ -766,7 +766,7 @@ CLAIM(isolated_point_is_on_no_arc)
 :::{statement} wang-ch3:thm-3.4.3-genus
 :title: The genus as the count (n-1)(n-2)/2 - d - s
 :zh: 亏格的计数公式
-:printed: The genus of the curve is $g=\frac{(n-1)(n-2)}2-d-s$.
+:printed: The genus of the curve is $g=\frac{(n-1)(n-2)}2-d-s$, where the curve, of degree $n$, has $d$ double points and $s$ cusps, imaginary points included.
 :class: missing-hypothesis
 :refuted-by: rational_quartic_with_a_triple_point rational_quartic_with_a_higher_cusp
 :corrected: for an irreducible plane curve of degree $n$ all of whose singular points in the complex projective plane are nodes, $d$ of them,

@@ -135,7 +135,7 @@ another one it is lost.
 :printed: the approximation of the control polygon is better than that of the Bézier curve of degree seven
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve
 :class: false
-:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, and for $\beta=1$, the largest
+:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, which is false, too, and neither is decided there; for $\beta=1$, the largest
   distances of points of the curves from the polygon being compared, it holds for the convex polygon of the decision and fails for that of the
   second counterexample
 :corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one

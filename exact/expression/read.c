@@ -323,9 +323,6 @@ static int is_alone_in_brackets(const cagd_reader *r, const cagd_tree *a)
     return a->kind != CAGD_PRODUCT && cagd_is_of_whole_numbers(r, a, &has_name);
 }
 
-/* Whether what comes next may be the matrix behind a row: a letter, or rows of its own. */
-static int may_be_matrix(const cagd_token *t) { return t->kind == CAGD_TOKEN_LETTER || t->kind == CAGD_TOKEN_WORD; }
-
 /* (...), [...], {...}: the value itself. */
 static const cagd_tree *group(cagd_reader *r, const char *close)
 {
@@ -334,8 +331,8 @@ static const cagd_tree *group(cagd_reader *r, const char *close)
     r->squares += close[0] == ']';
     const cagd_tree *a = cagd_read_sum(r);
     r->squares -= close[0] == ']';
-    if (a != NULL && close[0] == ']' && a->kind != CAGD_MIXED && has_wide_space(r, first) &&
-        !(a->kind == CAGD_PRODUCT && a->juxtaposed && cagd_next_is(r, "]") && may_be_matrix(r->token + 1)))
+    if (a != NULL && close[0] == ']' && a->kind != CAGD_MIXED && !(a->kind == CAGD_PRODUCT && a->juxtaposed) &&
+        has_wide_space(r, first))
         return cagd_refuse_tree(r, a, "components with space between them: write commas, [1-u, u]");
     if (a != NULL && cagd_next_is(r, ",") && close[0] != '\\' && close[0] != '}')
         return cagd_read_point(r, a, close, from);

@@ -147,13 +147,13 @@ const cagd_tree *cagd_read_point(cagd_reader *r, const cagd_tree *first, const c
     return t;
 }
 
-/* Whether each factor has a space of TeX behind it: [x \; y \; z]. */
+/* Whether each factor has a space of TeX behind it: [x \; y \; z], [x \quad y]. */
 static int has_spaces(const cagd_reader *r, const cagd_tree *t)
 {
     for (int k = 0; k + 1 < t->count; k++) {
         int found = 0;
         for (int at = t->at[k]->to; at + 1 < t->at[k + 1]->from; at++)
-            found |= r->text[at] == '\\' && strchr(";: ", r->text[at + 1]) != NULL;
+            found |= r->text[at] == '\\' && strchr(";: q", r->text[at + 1]) != NULL;
         if (!found)
             return 0;
     }
