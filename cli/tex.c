@@ -401,6 +401,9 @@ static const char *command(const char *s, struct text *out)
             sign > 0 && !is_derivative && differential(b.at) == sign && is_simple(a.at) && is_simple(b.at);
         is_derivative |= of_function;
         const int is_argument = !is_derivative && is_behind_function(out);
+        const char before = out->used > 0 ? out->at[out->used - 1] : ' ';
+        if (!is_derivative && (isalnum((unsigned char)before) || before == ')' || before == ']'))
+            puts_(out, " · "); /* 2\\frac12 is no 21/2 */
         puts_(out, is_argument ? "(" : "");
         put_wrapped(out, a.at);
         puts_(out, is_derivative || is_one_factor(b.at) ? "/" : "/(");

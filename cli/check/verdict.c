@@ -393,9 +393,11 @@ static void print_quotient(const char *R)
         paragraph(append("", "R is a quotient of polynomials with %d terms in all, which --json has.", terms), 1);
 }
 
-/* Two sides of a chain. */
+/* Two sides of a chain, or one of several relations. */
 static const char *link_of(const struct document *d, const cagd_tree *link)
 {
+    if (link->count > 2)
+        return source(d, link);
     return append(source(d, link->at[0]), " = %s", source(d, link->at[1]));
 }
 

@@ -7,8 +7,9 @@
 static int is_plain(const cagd_scope *scope, const cagd_tree *t, int *names)
 {
     int plain = t->kind == CAGD_NUMBER || t->kind == CAGD_SUM || t->kind == CAGD_PRODUCT || t->kind == CAGD_NEGATIVE ||
-                t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_RELATION ||
-                t->kind == CAGD_ABSOLUTE;
+                t->kind == CAGD_QUOTIENT || t->kind == CAGD_POWER || t->kind == CAGD_RELATION;
+    if (t->kind == CAGD_RELATION && t->count == 2 && t->at[0]->kind == CAGD_ABSOLUTE && t->relation[0] != CAGD_EQUAL)
+        return is_plain(scope, t->at[0]->at[0], names) && is_plain(scope, t->at[1], names); /* |x| \le 1 */
     if (t->kind == CAGD_NAME)
         return ++*names, t->order == 0 && (cagd_defined(scope, t->head) == NULL || cagd_has_value(scope, t->head));
     for (int k = 0; k < t->count && plain; k++)

@@ -284,9 +284,31 @@ static int links_hold(const cagd_scope *scope, const cagd_tree *chain, const cag
     return last != NULL;
 }
 
+/* Several equalities, each by itself. */
+static int all_hold(const cagd_scope *scope, const cagd_tree *all, const cagd_variable *n, long low, int checked,
+                    cagd_every *out)
+{
+    cagd_every *last = NULL;
+    for (int i = 0; i < all->count; i++) {
+        cagd_every *one = i == 0 ? out : region_bytes(sizeof *one);
+        if (one == NULL || all->at[i]->kind != CAGD_RELATION ||
+            !cagd_holds_for_every(scope, all->at[i], n, low, checked, one))
+            return 0;
+        if (one->of == NULL)
+            one->of = all->at[i];
+        if (last != NULL)
+            last->next = one;
+        for (last = one; last->next != NULL;)
+            last = (cagd_every *)last->next;
+    }
+    return last != NULL;
+}
+
 int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *n, long low,
                          int checked, cagd_every *out)
 {
+    if (statement->kind == CAGD_ALL)
+        return all_hold(scope, statement, n, low, checked, out);
     cagd_search *s = region_bytes(sizeof *s);
     struct proof p;
     if (s == NULL)

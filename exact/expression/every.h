@@ -8,7 +8,7 @@
 /* What proves it.  By telescoping (closed = 0): sum_j a_j(n) F(n+j,k) = G(n,k+1) - G(n,k), G = R F, in the letters n and k of the statement, as texts; the recurrence
  * that the sum and S both satisfy, for every n from `from` on; the numbers before that are looked at one by one.  By closed forms: of each of so
  * many sums a_0(n) F(k) = G(k+1) - G(k), in the letter k of that sum; of no sum where n stands in exponents and factorials alone.  real: it was decided
- * for every real n >= from.  Of a chain a = b = c each link with a sum has its own: `of`, and the next one. */
+ * for every real n >= from.  Of a chain a = b = c each link with a sum has its own: `of`, and the next one; so has each of several equalities. */
 typedef struct cagd_every {
     int closed, order, real, counted; /* counted: k is counted from the first term, of which n is a part */
     long from;
@@ -28,7 +28,7 @@ typedef struct cagd_every {
         int by;
     } variable[CAGD_MOST_GROWTHS];
 
-    const cagd_tree *of; /* the link of a chain that it proves; NULL: the whole statement */
+    const cagd_tree *of; /* the link of a chain, or one of several, that it proves; NULL: the whole statement */
     const struct cagd_every *next;
 } cagd_every;
 

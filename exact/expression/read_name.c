@@ -590,6 +590,15 @@ static void read_dots_as_primes(const cagd_reader *r, struct parts *p)
     }
 }
 
+/* Whether what is read is the right side of a definition of that name. */
+static int is_being_defined(const cagd_reader *r, const char *head)
+{
+    for (const cagd_definition *d = r->scope->definitions; d != NULL && head != NULL; d = d->next)
+        if (strcmp(d->left->head, head) == 0 && d->body == NULL)
+            return 1;
+    return 0;
+}
+
 const cagd_tree *cagd_read_name(cagd_reader *r)
 {
     struct parts p = {0};
@@ -649,7 +658,7 @@ const cagd_tree *cagd_read_name(cagd_reader *r)
     const cagd_tree *value = d != NULL && d->functions != 0 ? cagd_put_in_functional(r, d, t) : t;
     if (p.power == NULL || value == NULL)
         return value;
-    if (!r->declaring && p.arguments == 0 && cagd_defined(r->scope, joined(r, "", p.head, "^()")) != NULL)
+    if (!r->declaring && p.arguments == 0 && is_being_defined(r, joined(r, "", p.head, "^()")))
         return cagd_refuse_reading(r->error, from, r->token[-1].to,
                                    "a power, or the function with that upper index without its argument? write "
                                    "brackets around %s, or the argument",

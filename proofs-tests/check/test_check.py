@@ -1958,7 +1958,7 @@ class AsPapersHaveIt(unittest.TestCase):
             self.assertIn("its derivative is 0", check(document(printed, "n = 1", let)).stderr, printed)
         for printed, expected in ((r"\frac{d}{dt} (t F(3)) = F(3)", "holds"), (r"\frac{dg}{ds} = t^3", "holds"), (r"\frac{d}{dx} y = 0", "holds"), (r"\frac{dF}{dt}(3) = 6", "holds"), (r"\frac{d^2 g}{dt^2}(2) = 12 s", "holds"), (r"c_0^1(t) = (1-t) c_0 + t c_1", "holds"), (r"(c_0)^1 = c_0", "holds")):
             self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected, printed)
-        self.assertIn("a power, or the function", check(document("c_0^1 = c_0", "n = 1", let)).stderr)
+        self.assertIn("a power, or the function", check(document("x = x", "n = 1", let + "\nc_0^2(t) = (1-t) c_0^1 + t c_1^1")).stderr)
 
     def test_bounds_by_neighbours_reach_those_with_values(self):
         """What is said of every index is said of those with values, and of those between that the formula does not have; each relation of a chain, and every one of several conditions."""
@@ -2009,6 +2009,10 @@ class AsPapersHaveIt(unittest.TestCase):
         s = verdict(r"\sum_{i=0}^n \binom{n}{i} = 2^n = \sum_{i=0}^n \binom{n}{n-i}", r"n \in \mathbb{N}")
         self.assertEqual([link["link_tex"] for link in s["links"]], [r"\sum_{i=0}^n \binom{n}{i} = 2^n", r"\sum_{i=0}^n \binom{n}{n-i} = 2^n"])
         self.assertTrue(all("telescoper" in link for link in s["links"]))
+        for printed, expected, links in ((r"\sum_{i=0}^n \binom{n}{i} = 2^n, \quad \sum_{i=0}^n i = \frac{n(n+1)}{2}", "holds", 2), (r"\begin{aligned} \sum_{i=0}^n B_i^n(t) &= 1 \\ \sum_{i=0}^n i B_i^n(t) &= n t \end{aligned}", "holds", 2), (r"\sum_{i=0}^n \binom{n}{i} = 2^n, 2^n = 2^n + n (n-1) (n-2) (n-3) (n-4) (n-5) (n-6) (n-7) (n-8)", "undecided", 0),
+                                         (r"\sum_{i=0}^n \binom{n}{i} = 2^n = \sum_{i=0}^n \binom{n}{n-i}, \quad \sum_{i=0}^n 1 = n + 1", "holds", 3)):
+            s = verdict(printed, r"n \in \mathbb{N}")
+            self.assertEqual((s["verdict"], len(s.get("links", []))), (expected, links), s)
 
     def test_what_a_line_would_have_defined_is_not_told_again(self):
         r = check(":::{let}\nG(t) = t + zz\nK_i = G(i)\n:::\n" + "".join(f":::{{statement}} s{k}\n:printed: {p}\n:::\n" for k, p in enumerate(("G(t) = t", "G'(t) = 1", "K_1 = 2", "ww = 1"))))
@@ -2075,7 +2079,7 @@ class Mistakes(unittest.TestCase):
         """A dot where a factor follows, brackets where one is the argument of a function: what is over the stroke is seen."""
         for printed, told in ((r"\frac{x}{2} y = \frac{x}{2}y", "x/2 · y = x/2 · y"), (r"\frac{x}{2} \binom{2}{1} = x", "x/2 · C(2, 1) = x"), (r"\frac{x}{2} + \frac{x}{2} = x", "x/2 + x/2 = x"),
                               (r"\sin \frac{x}{2} \ge -1", "sin (x/2) ≥ −1"), (r"\sin^2 \frac{x}{2} \ge 0", "sin² (x/2) ≥ 0"), (r"\sin x \frac{y}{2} \ge -y^2 - 1", "sin x y/2 ≥ −y² − 1"),
-                              (r"\frac{d}{dx} x = 1", "d/dx x = 1"), (r"\frac{x}{y + 1} (y + 1) = x", "x/(y + 1) · (y + 1) = x"), (r"\left. F(x) \right|_{x=1} = 1", "F(x) |ₓ₌₁ = 1")):
+                              (r"\frac{d}{dx} x = 1", "d/dx x = 1"), (r"\frac{x}{y + 1} (y + 1) = x", "x/(y + 1) · (y + 1) = x"), (r"2\frac12 x = x", "2 · 1/2 · x = x"), (r"\left. F(x) \right|_{x=1} = 1", "F(x) |ₓ₌₁ = 1")):
             self.assertIn("Printed\n    " + told + "\n", check(document(printed)).stdout)
 
     def test_what_is_long_is_told_whole(self):
