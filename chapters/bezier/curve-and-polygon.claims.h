@@ -526,6 +526,7 @@ so it does not matter from which end the points are read.  That the figure is it
 :confirmed-by: reversed_points_reverse_the_curve basis_read_backwards
 :meant: the formula, which has each point with the function of the other end at $1-t$ | The points read backwards give the same curve, run backwards.
 :reading: recurrence_keeps_sum_sign_ends_and_symmetry | the points read backwards give the same curve, run backwards
+:reading-with: bernstein_recurrence
 :reading: curve_is_no_mirror_image | the figure of the curve is its own mirror image, with the ends exchanged
 :figure: read_from_either_end
 :::

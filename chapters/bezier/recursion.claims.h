@@ -28,6 +28,8 @@ enum { dim = 2 };
 :confirmed-by: second_differences_of_a_piece linear_precision
 :meant: the word "can" (可以) | More and more points can be chosen so that the polyline comes near: with steps that tend to 0.
 :reading: enough_equal_steps_bring_the_polyline_near | they can be so chosen: enough of them, in equal steps
+:reading-with: bernstein_raised_by_one_degree bernstein_recurrence differences_over_a_part_are_means polygon_and_curve_are_near_the_chord
+  recurrence_keeps_sum_sign_ends_and_symmetry
 :reading: many_points_may_crowd | however they are chosen: many points are not enough
 :figure: crowded_points
 

@@ -271,6 +271,20 @@ class Lemmas(unittest.TestCase):
 
 
 class Readings(unittest.TestCase):
+    def test_what_a_reading_leans_on_stands_with_it(self):
+        """A claim that is named where a reading is told that holds, or in the method of one of its claims, decides the reading with it."""
+        tried = 0
+        for row in LEDGER:
+            for reading in row["as_printed"]["readings"]:
+                own = {reading.get("claim"), *reading.get("with", [])} - {None}
+                texts = [json.dumps(reading, ensure_ascii=False), *(words_of(CLAIM_BLOCKS[claim].get(key, "")) for claim in own for key in ("method", "argued"))]
+                for lemma in {name for text in texts for name in re.findall(r"`(\w+)`", text)} & set(CLAIM_BLOCKS):
+                    if reading["outcome"] == "holds":
+                        tried += 1
+                        with self.subTest(row["id"], claim=reading["claim"]):
+                            self.assertIn(lemma, own)
+        self.assertGreater(tried, 20)
+
     def test_a_decided_reading_has_evidence(self):
         for row in LEDGER:
             for reading in row["as_printed"]["readings"]:
