@@ -38,13 +38,13 @@ static int is_before_set(const cagd_token *t)
 {
     while (t->kind == CAGD_TOKEN_LETTER && strcmp(t[1].word, ",") == 0)
         t += 2;
-    const char *set = t[2].word, *word = t[1].word;
     if (t->kind != CAGD_TOKEN_LETTER)
         return 0;
-    return strcmp(word, "\\le") == 0 || strcmp(word, "\\ge") == 0 || strchr("<>", word[0]) != NULL
-               ? word[0] != '\0'
-               : strcmp(word, "\\in") == 0 &&
-                     (strcmp(set, "\\{") == 0 || strcmp(set, "\\N") == 0 || strcmp(set, "\\mathbb") == 0);
+    const char *word = t[1].word;
+    if (strcmp(word, "\\le") == 0 || strcmp(word, "\\ge") == 0 || strchr("<>", word[0]) != NULL)
+        return word[0] != '\0';
+    return strcmp(word, "\\in") == 0 && (strcmp(t[2].word, "\\{") == 0 || strcmp(t[2].word, "\\N") == 0 ||
+                                         strcmp(t[2].word, "\\mathbb") == 0);
 }
 
 /* Whether a whole number of a list comes next: made of numbers and letters of whole numbers, with a comma or the like behind it. */
