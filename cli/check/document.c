@@ -203,7 +203,7 @@ static const char *message_of(const struct document *d, const cagd_reading_error
     return better != NULL ? better : in_words_of_paper(d, e, cagd_text_of(e->message, (int)strlen(e->message)));
 }
 
-/* The letter at `at` with what is above it, up to its indices and arguments, \\bar{P} of \\bar{P}_i = ...: its length. */
+/* The letter at `at` with what is above it, up to its indices and arguments, \bar{P} of \bar{P}_i = ...: its length. */
 static int length_of_head(const char *text, int from, int to)
 {
     int depth = 0, at = from;

@@ -16,7 +16,7 @@ static int uses(const cagd_scope *scope, const cagd_tree *t, const char *head, i
     if (t->kind != CAGD_NAME)
         return 0;
     for (const cagd_definition *d = scope->definitions; d != NULL; d = d->next)
-        if (strcmp(d->left->head, t->head) == 0 && !cagd_tree_has(d->left, head) &&
+        if (d->body != NULL && strcmp(d->left->head, t->head) == 0 && !cagd_tree_has(d->left, head) &&
             (cagd_tree_has(d->body, t->head) ? cagd_tree_has(d->body, head) : uses(scope, d->body, head, depth + 1)))
             return 1;
     return 0;

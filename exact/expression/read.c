@@ -968,7 +968,15 @@ static void note_break(cagd_reader *r, int behind_0_or_1)
 {
     static const char *const spaces[] = {"\n", "\\;", "\\ ", "~", NULL};
     if (behind_0_or_1 || is_behind(r, spaces))
-        r->broken = r->token, r->broken_depth = r->depth;
+        r->broken = r->token, r->broken_depth = r->depth, r->broken_by_sign = 0;
+}
+
+/* So may a sign that begins a line, -1 \le x \le 1, if bounds follow. */
+static void note_sign(cagd_reader *r)
+{
+    static const char *const line[] = {"\n", NULL};
+    if ((cagd_next_is(r, "-") || cagd_next_is(r, "+")) && is_behind(r, line))
+        r->broken = r->token, r->broken_depth = r->depth, r->broken_by_sign = 1;
 }
 
 /* Whether another sum or product over that index comes next: what is summed ends before it. */
@@ -1119,6 +1127,7 @@ const cagd_tree *cagd_read_sum(cagd_reader *r)
         }
         list[count++] = t;
         begin = r->token->from;
+        note_sign(r);
         minus = cagd_pass(r, "-");
         if (!minus && !cagd_pass(r, "+"))
             break;
@@ -1265,7 +1274,8 @@ const cagd_tree *cagd_read_relations(cagd_reader *r)
             return NULL;
         pass_alignment(r);
         cagd_relation next;
-        if (c.count > 1 && r->broken != NULL && r->broken_depth == r->depth + 1 && cagd_relation_next(r, &next)) {
+        if (c.count > 1 && r->broken != NULL && r->broken_depth == r->depth + 1 && cagd_relation_next(r, &next) &&
+            (!r->broken_by_sign || (next != CAGD_EQUAL && c.relation[c.count - 2] == CAGD_EQUAL))) {
             r->token = r->broken;
             return cagd_refuse_token(r, "does another formula begin here? write a comma before it, or \\cdot");
         }

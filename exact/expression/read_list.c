@@ -43,8 +43,8 @@ static int is_before_set(const cagd_token *t)
     const char *word = t[1].word;
     if (strcmp(word, "\\le") == 0 || strcmp(word, "\\ge") == 0 || strchr("<>", word[0]) != NULL)
         return word[0] != '\0';
-    return strcmp(word, "\\in") == 0 && (strcmp(t[2].word, "\\{") == 0 || strcmp(t[2].word, "\\N") == 0 ||
-                                         strcmp(t[2].word, "\\mathbb") == 0);
+    return strcmp(word, "\\in") == 0 &&
+           (strcmp(t[2].word, "\\{") == 0 || strcmp(t[2].word, "\\N") == 0 || strcmp(t[2].word, "\\mathbb") == 0);
 }
 
 /* Whether a whole number of a list comes next: made of numbers and letters of whole numbers, with a comma or the like behind it. */

@@ -88,7 +88,7 @@ static int has_function(const cagd_reader *r, const cagd_tree *t)
 /* \frac{d}{dt} f(0), which is 0: nobody writes that of a function. */
 static int refuse_constant(cagd_reader *r, const cagd_tree *body, struct by by)
 {
-    if (r->defining > 0 || by.name != NULL || changes_with(r, body, by.head) || !has_function(r, body))
+    if (by.name != NULL || changes_with(r, body, by.head) || !has_function(r, body))
         return 0;
     cagd_refuse_tree(
         r, body,

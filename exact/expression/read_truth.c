@@ -509,7 +509,8 @@ static const cagd_tree *supposed(cagd_reader *r, enum supposing how)
 {
     cagd_own_ranges own;
     const struct cagd_bound *outside = r->bound;
-    const cagd_tree *t = cagd_take_ranges(r, 0, &own) ? cagd_for_own_ranges(r, supposed_as_it_stands(r, how), &own) : NULL;
+    const cagd_tree *t =
+        cagd_take_ranges(r, 0, &own) ? cagd_for_own_ranges(r, supposed_as_it_stands(r, how), &own) : NULL;
     r->bound = outside;
     return t;
 }
@@ -618,7 +619,8 @@ const cagd_tree *cagd_read_truth(cagd_reader *r)
     if (begins && !cagd_take_ranges(r, 0, &own))
         return NULL;
     first = r->token;
-    const cagd_tree *a = begins ? cagd_for_own_ranges(r, parts_supposed(r, BY_A_WORD), &own) : cagd_read_alternatives(r),
+    const cagd_tree *a =
+                        begins ? cagd_for_own_ranges(r, parts_supposed(r, BY_A_WORD), &own) : cagd_read_alternatives(r),
                     *b = a;
     r->bound = outside;
     if (a == NULL)
@@ -703,7 +705,8 @@ const cagd_tree *cagd_read_supposed(const cagd_scope *scope, const char *text, i
     enum supposing how = pass_supposed(&r);
     if (!cagd_take_ranges(&r, 1, &own) || r.token->kind == CAGD_TOKEN_END)
         return NULL;
-    const cagd_tree *t = cagd_for_own_ranges(&r, supposed_as_it_stands(&r, how == NOT_SUPPOSED ? WITHOUT_WORD : how), &own);
+    const cagd_tree *t =
+        cagd_for_own_ranges(&r, supposed_as_it_stands(&r, how == NOT_SUPPOSED ? WITHOUT_WORD : how), &own);
     cagd_pass(&r, ".");
     if (t != NULL && r.token->kind != CAGD_TOKEN_END)
         return cagd_refuse_token(&r, "expected the end of the formula, not %s", cagd_name_of_next(&r));

@@ -22,23 +22,23 @@ typedef struct cagd_reader {
     int declaring; /* on the left of a definition: names need not be known   */
     int supposing; /* in a condition: letters of indices need not be known   */
     int in_index;
-    int integrals;       /* around what is read: d and a letter end the integrand  */
-    int norms;           /* likewise: \| ends the norm and begins none             */
-    int amounts;         /* and | that of a number                                  */
-    int ends;            /* where a range is read: dots stand between its ends      */
-    int premises;        /* in what is supposed                                     */
-    int lists;           /* likewise i = 0, 1, 2 is a condition                     */
-    const char *defines; /* behind the definition of that name: another one may follow a comma */
+    int integrals;              /* around what is read: d and a letter end the integrand  */
+    int norms;                  /* likewise: \| ends the norm and begins none             */
+    int amounts;                /* and | that of a number                                  */
+    int ends;                   /* where a range is read: dots stand between its ends      */
+    int premises;               /* in what is supposed                                     */
+    int lists;                  /* likewise i = 0, 1, 2 is a condition                     */
+    const char *defines;        /* behind the definition of that name: another one may follow a comma */
     const char *defines_one_of; /* the head of w_0, where w_1 = ... may follow with a value of its own, or NULL */
     int nodes;
     int defining;               /* the right side of a definition */
     int looking;                /* ahead, where nothing is asked for that would be read once more */
     const cagd_token *left_out; /* the last dots that leave steps of a chain out */
     const cagd_token *broken;   /* the last factor that begins a line, or stands behind a space, and how deep it is */
-    int broken_depth;
-    int squares; /* brackets [ that are open: in them spaces divide the components of a row */
-    const cagd_token *ranged;   /* the last quantifier over real numbers */
-    int comma;                  /* where the last comma between the conditions that were read begins; -1 without one */
+    int broken_depth, broken_by_sign; /* it was a sign that begins the line */
+    int squares;                      /* brackets [ that are open: in them spaces divide the components of a row */
+    const cagd_token *ranged;         /* the last quantifier over real numbers */
+    int comma; /* where the last comma between the conditions that were read begins; -1 without one */
 } cagd_reader;
 
 enum { CAGD_MOST_NODES = 20000 };

@@ -78,7 +78,8 @@ typedef struct cagd_tree {
     const struct cagd_tree *times;
     int juxtaposed; /* of a product: its factors stand side by side, as in P_{ij}; of matrices: their rows are points; of
                        CAGD_ALL: the conditions stand side by side with \land between, and all are said */
-    unsigned long long asked; /* of CAGD_ALL: the conditions, by their places, that stand behind "and", a semicolon or the break of a row: whether they are
+    unsigned long long
+        asked; /* of CAGD_ALL: the conditions, by their places, that stand behind "and", a semicolon or the break of a row: whether they are
                                  said or supposed is asked for, where it matters */
     int count;
     const struct cagd_tree **at;

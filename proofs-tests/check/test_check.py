@@ -1924,12 +1924,12 @@ class AsPapersHaveIt(unittest.TestCase):
         """A wide space divides formulas as a comma does; behind a smaller one, in the next line, and behind 0 and 1, where relations are on both sides, it is asked."""
         let = "b_0(t) = (1-t)^2\nb_1(t) = 2t(1-t)\nG(t) = t^2"
         for printed, expected in ((r"b_1(0) = 0 \qquad b_0(0) = 0", "fails"), (r"b_0(0) = 1 \quad b_1(0) = 0", "holds"), (r"G(1) = 1 \qquad G(2) = 4", "holds"), (r"G(1) = 1 \hspace{1cm} G(2) = 5", "fails"), (r"G(x) \ge x \qquad x \ge 1", "holds"), (r"G(x) \ge x \quad x \ge 0", "fails"),
-                                  (r"B_i^n(0) = 0 \qquad i > 0", "holds"), (r"B_i^n(0) = 0 \qquad i \ge 0", "fails"), (r"B_i^n(t) \ge 0 \quad 0 \le t \le 1", "holds"), (r"x - x = 0 \quad y = 0", "undecided"), (r"G(x) = x \cdot x", "holds"), ("G(x)\n= x\nx", "holds"), (r"G(x) = x \; x", "holds"), (r"[1 \quad x] \cdot [x \quad 1] = 2x", "holds"),
+                                  (r"B_i^n(0) = 0 \qquad i > 0", "holds"), (r"B_i^n(0) = 0 \qquad i \ge 0", "fails"), (r"B_i^n(t) \ge 0 \quad 0 \le t \le 1", "holds"), (r"x - x = 0 \quad y = 0", "undecided"), (r"G(x) = x \cdot x", "holds"), ("G(x)\n= x\nx", "holds"), ("G(x)\n= x^2 + 1\n- 1\n= x \\cdot x", "holds"), ("G(x) \\ge x^2\n- 1", "holds"), (r"G(x) = x \; x", "holds"), (r"[1 \quad x] \cdot [x \quad 1] = 2x", "holds"),
                                   (r"G(x) = \begin{cases} x^2 \quad & x \ge 0 \\ (-x)^2 \quad & x < 0 \end{cases}", "holds")):
             with self.subTest(printed=printed):
                 s = verdict(printed, "n = 1..3, i = 0..n", let) if "n" in printed.replace("begin", "").replace("end", "") else verdict(printed, "n = 1", let)
                 self.assertEqual(s["verdict"], expected, s)
-        for printed in ("b_1(0) = 0\nb_0(0) = 0", "b_0(0) = 1\nb_1(0) = 0", r"G(2) = 4 \; G(1) = 1", "G(2) = 4 ~ G(1) = 1", "b_1(0) = 0 b_0(0) = 0", r"2(x+1)^2 = 2x^2+4x+1 \quad (2)", r"G(x) = x^2 \qquad (2.1)"):
+        for printed in ("b_1(0) = 0\nb_0(0) = 0", "b_0(0) = 1\nb_1(0) = 0", r"G(2) = 4 \; G(1) = 1", "G(2) = 4 ~ G(1) = 1", "b_1(0) = 0 b_0(0) = 0", r"2(x+1)^2 = 2x^2+4x+1 \quad (2)", r"G(x) = x^2 \qquad (2.1)", "G(x) = x^2\n-3 \\le y \\le 1"):
             r = check(document(printed, "n = 1", let))
             self.assertEqual(r.returncode, 2, printed + r.stdout)
 
@@ -1956,6 +1956,7 @@ class AsPapersHaveIt(unittest.TestCase):
         let = "g(t;s) = s t^3\nc_i \\in \\mathbb{R}\nc_0^1(t) = (1-t) c_0 + t c_1"
         for printed in (r"\frac{d}{dt} F(0) = 0", r"\frac{dF(0)}{dt} = 1", r"\frac{dF}{dx} = 0", r"\frac{d^2}{dt^2} g(1) = 0"):
             self.assertIn("its derivative is 0", check(document(printed, "n = 1", let)).stderr, printed)
+        self.assertIn("its derivative is 0", check(document("x = x", "n = 1", "h = \\frac{d}{dt} F(3)")).stderr)
         for printed, expected in ((r"\frac{d}{dt} (t F(3)) = F(3)", "holds"), (r"\frac{dg}{ds} = t^3", "holds"), (r"\frac{d}{dx} y = 0", "holds"), (r"\frac{dF}{dt}(3) = 6", "holds"), (r"\frac{d^2 g}{dt^2}(2) = 12 s", "holds"), (r"c_0^1(t) = (1-t) c_0 + t c_1", "holds"), (r"(c_0)^1 = c_0", "holds")):
             self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected, printed)
         self.assertIn("a power, or the function", check(document("x = x", "n = 1", let + "\nc_0^2(t) = (1-t) c_0^1 + t c_1^1")).stderr)
