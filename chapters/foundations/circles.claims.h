@@ -292,6 +292,7 @@ says nothing about it.
   matrices (1-3-5)
   $[x_{n+1}\;y_{n+1}]=[x_n\;y_n]\begin{bmatrix}1&\varepsilon\\-\varepsilon&1\end{bmatrix}$.
 :holds-by: small_step_matrix_is_the_recursion
+:meant: (1-3-3), before it, in which $\cos\Delta\theta=1$ and $\sin\Delta\theta=\Delta\theta$ have been put | The points are those of (1-3-3), with $\varepsilon$ for $\Delta\theta$; not those of the rotation (1-3-1).
 :figure: three_generators
 :::
 

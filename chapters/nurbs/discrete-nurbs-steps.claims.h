@@ -22,7 +22,7 @@ becomes the point, and what has to be decided about it is the index.
   \sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)},\quad T'=T_1\oplus T_2
 :holds-by: steps_of_refinement_compose discrete_bsplines_compose
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T_1$ and $T_2$ are in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: in the example, whose $T'$ is $T_1$ here,
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T_1$ and $T_2$ are in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: in the example, whose $T'$ is $T_1$ here,
   the last $r_l^{(T,T_1)}$ is $\frac00$, and the sum has it
 :figure: insertions_commute
 
@@ -539,7 +539,7 @@ CLAIM(index_of_another_interval_is_another_point)
 :meant: the index $\mu$ in (4.1.9), the proof of lemma 4.2.1, and the reference to section 2.10 | $t'\in(t_\mu,t_{\mu+1}]$, see `thm-4.1.1-index`; the
   $\alpha$ of (4.1.6) with intervals closed on the left, see `formula-4.1.6`; other readings are at these entries and at `formula-4.1.9`.
 :holds-by: steps_of_refinement_compose refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$: for (4.1.6)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6)
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot: for (4.1.9)
 :hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: for (4.1.9)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive

@@ -668,7 +668,7 @@ CLAIM(cramers_rule_gives_divided_difference)
   $[t_0,t_1,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)$
 :holds-by: printed_weights_give_divided_difference
 :argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
-  do not contain $f$.
+  do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
 :figure: osculating_polynomial
 :::
 */
@@ -743,7 +743,7 @@ CLAIM(printed_weights_give_divided_difference)
 :printed: [t_0,t_1,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)
 :holds-by: printed_weights_give_divided_difference
 :argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
-  do not contain $f$.
+  do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
 :figure: osculating_polynomial
 
 The sum is that of `lemma-4.4.1`, and the number (4.4.8) stands at it.
@@ -782,7 +782,7 @@ CLAIM(places_count_the_rows)
 :printed: expanding the numerator of (4.4.7) by its last column gives the lemma
 :holds-by: cramers_rule_gives_divided_difference printed_weights_give_divided_difference confluent_vandermonde_determinant_is_product
 :argued: every order | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
-  do not contain $f$.
+  do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
 :::
 
 :::{statement} wang-ch4:formula-4.4.9
@@ -792,7 +792,7 @@ CLAIM(places_count_the_rows)
   \prod_{v=0}^{l_u-1}v!\Big)
 :holds-by: printed_weights_give_divided_difference
 :argued: every order | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
-  do not contain $f$.
+  do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
 :needs: counting_from_one_shifts_the_weights | the line below: the $\beta_i$, $i=0,1,\dots,k$ | the elements of the last column
   are counted from 0; as $i=0,1,\dots,k$ says
 
@@ -835,7 +835,7 @@ CLAIM(counting_from_one_shifts_the_weights)
 :printed: b(i,j)=j\ (i=1),\quad b(i,j)=j+\sum_{c=1}^{i-1}l_c\ (i>1),\quad i=1,2,\dots,d;\ j=0,1,\dots,l_i-1
 :holds-by: printed_weights_give_divided_difference
 :argued: every order | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
-  do not contain $f$.
+  do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
 :confirmed-by: places_count_the_rows
 
 The places are the numbers $0,\dots,k$, each once.

@@ -495,7 +495,7 @@ CLAIM(inserted_points_divide_the_edges)
   which (4.1.6) is read here
 :figure: where_hypotheses_are_needed
 
-The points are those of (4.1.6) for one knot, the new weights are the denominators.  (2.9.1) is not in the text at hand.
+The $\alpha_i$ are those of the three cases that are printed below (`lemma-4.2.1-step-alpha`).  The points are those of (4.1.6) for one knot, the new weights are the denominators.  (2.9.1) is not in the text at hand.
 :::
 */
 

@@ -604,9 +604,9 @@ static void print_statistics(const struct fit *f)
             r->quantile, of_what);
     else if (r->scale_squared > 0 && isfinite(r->scale_squared))
         say("Standard errors",
-            "%s %.4g, estimated from the distances; 95 %% intervals: %.4g of them to either side (Student's t%s)",
+            "%s %.4g, estimated from the distances%s; 95 %% intervals: %.4g of them to either side (Student's t%s)",
             f->data.sigma != NULL ? "from the given standard deviations times" : "from a standard deviation of",
-            sqrt(r->scale_squared), r->quantile, of_what);
+            sqrt(r->scale_squared), r->found.weights == 2 ? " that weights would leave" : "", r->quantile, of_what);
     else
         say("Standard errors", "none: the distances leave nothing to estimate a standard deviation from");
     int by[CAGD_FIT_INTERVAL_NOT_SOUGHT + 1] = {0};
@@ -629,6 +629,8 @@ static void print_statistics(const struct fit *f)
                 ? "that weights are fitted was decided by these points, and standard errors know nothing of that: they "
                   "are "
                   "too small; with --free weights,inner,ends intervals are sought (not tried)"
+            : r->found.weights == 2 && !r->found.knots_chosen ? "weights would explain something, so that this is not "
+                                                                "the curve of the points, whatever their errors are"
             : r->found.count_chosen
                 ? "the knots were chosen by these points, and standard errors for given knots know nothing of that: "
                   "they are too small; with --knots intervals are sought (not tried)"

@@ -96,7 +96,7 @@ static void print_weights_test(const struct fit *f)
             "are fitted: by %s they explain something (F = %.3g with %d and %d degrees of freedom, probability %.2g by "
             "chance)",
             test, found->weights_ratio, found->weights_number, found->weights_freedom, found->weights_probability);
-    else if (found->weights == 0 && found->weights_probability < 0.05)
+    else if (found->weights == 2)
         say("Weights",
             "are 1: by %s they would explain something (F = %.3g with %d and %d degrees of freedom), but the fit with "
             "weights between 1/16 and 16 "

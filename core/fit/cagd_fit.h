@@ -157,7 +157,8 @@ typedef struct cagd_fit_step {
 /* How a 95 % interval was found: value +- quantile * error, LINEAR; by the profile of the cost, which is not quadratic
  * over that interval, PROFILE; or not at all, since the points hardly determine the unknown, NONE.  NOT_SOUGHT: a
  * standard error, and no interval, since none was asked for, or since none is known that covers the truth 95 times in a hundred:
- * with a smoothing term, whose bias is in no error, where feet are shared, and where cagd_fit_choose has found the knots, or that weights are fitted, by the same points. */
+ * with a smoothing term, whose bias is in no error, where feet are shared, and where cagd_fit_choose has found the knots, or that weights are fitted,
+ * by the same points, or left the weights of a spline out though they would explain something. */
 typedef enum cagd_fit_interval {
     CAGD_FIT_INTERVAL_LINEAR,
     CAGD_FIT_INTERVAL_PROFILE,
@@ -214,7 +215,8 @@ typedef struct cagd_fit_found {
                      3: as large, to a factor of 10, as lets the curve keep within a distance, or come nearest to it, as none without was found to do */
     double smooth; /* its weight                                                               */
     int within;    /* of a tolerance: 1 met, -1 not met, 0 none was given                      */
-    int weights; /* of a spline whose weights could be left out: 1 they explain something and are fitted, 0 left out, -1 not asked */
+    int weights;   /* of a spline whose weights could be left out: 1 they explain something and are fitted, 2 they
+                    would explain something and are not, since with them no better minimum was found, 0 left out, -1 not asked */
     double weights_ratio, weights_probability; /* of the F test for weights                                 */
     int weights_number, weights_freedom;       /* its degrees of freedom                                  */
     int candidates;
@@ -276,7 +278,8 @@ typedef struct cagd_fit_result {
     int *determined;         /* 1 where the unknown is not at a bound, and the same along all free directions */
     int scale_is_given;      /* 1: squares of distances over given standard deviations, which are believed    */
     double scale_squared;    /* 1 when it is given, else what the distances say it is: of squares              */
-                             /* chi_squared / degrees_of_freedom, of a robust loss the factor of an M-estimate   */
+                             /* chi_squared / degrees_of_freedom, of a robust loss the factor of an M-estimate; of */
+                             /* a spline that has no weights and is to have some, what they would leave of these   */
     int ends_are_exact;      /* 1: the ends are measured points whose errors no standard error knows of          */
     double chi_squared, reduced_chi_squared, aic, bic;
     int end_points[2]; /* the points that are measurements of the ends of the curve; -1: none              */
@@ -468,9 +471,9 @@ CAGD_API cagd_fit_conic cagd_fit_conic_of(const cagd_fit_result *result);
 typedef struct cagd_fit_circle {
     int known;
     cagd_fit_number centre[2], radius;
-    double sweep;      /* how far around the feet of the points go, in degrees */
-    double rms, ratio; /* of its distances; F                                  */
-    int freedom;       /* N - 5                                                */
+    double sweep;       /* how far around the feet of the points go, in degrees */
+    double rms, ratio;  /* of its distances; F                                  */
+    int freedom;        /* N - 5                                                */
     double probability; /* of so large an F, or a larger one, by chance         */
 } cagd_fit_circle;
 
@@ -543,12 +546,13 @@ typedef struct cagd_fit_quality {
     double length_ratio;                /* NaN of points in no order                                              */
     int crossings, crossings_of_points; /* of the curve with itself, of the polygon                 */
     double gap, gap_from, gap_to;       /* the widest one as a part of the length, between two parameters */
-    double detour, detour_from, detour_to; /* how long the curve is between two neighbouring feet where it makes a detour; 0: nowhere, or the whole is too long */
+    double detour, detour_from,
+        detour_to; /* how long the curve is between two neighbouring feet where it makes a detour; 0: nowhere, or the whole is too long */
     cagd_fit_runs runs;
     cagd_fit_beneath beneath; /* of distances with structure that is no problem; otherwise NOTHING                 */
-    int far;       /* the control point; -1: none                                            */
-    int backwards; /* how many feet                                                          */
-    int strays;    /* points of another kind of error, which squares follow: farther than ten standard deviations as the median of
+    int far;                  /* the control point; -1: none                                            */
+    int backwards;            /* how many feet                                                          */
+    int strays; /* points of another kind of error, which squares follow: farther than ten standard deviations as the median of
                       the distances has them, alone or two or three together between neighbours within two; no problem of the curve, and a robust loss cures it        */
     int stray[CAGD_FIT_STRAYS]; /* the first of them                                         */
     int too_large; /* 1: a chi-squared as small as this one is by chance once in a thousand times: the given deviations are too large */

@@ -47,6 +47,22 @@ static cagd_status linear_model(const cagd_fit_data *data, const cagd_fit_option
     return status;
 }
 
+/* The distances of a spline that is to have weights and has none hold its misfit as well.  What weights would leave of the sum of squares, `rest` on
+ * `left` degrees of freedom, is of errors alone, and so are standard errors by it. */
+static void leave_out(double rest, int left, cagd_fit_result *r)
+{
+    r->found.weights = 2;
+    for (int q = 0; q < r->unknowns + r->invariants; q++)
+        r->interval_by[q] = CAGD_FIT_INTERVAL_NOT_SOUGHT;
+    if (r->scale_is_given)
+        return;
+    const double scale_squared = rest / left;
+    for (int k = 0; k < r->unknowns * r->unknowns; k++)
+        r->covariance[k] *= scale_squared / r->scale_squared;
+    r->scale_squared = scale_squared;
+    r->quantile = fit_student_quantile(left);
+}
+
 cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *options, double within,
                              cagd_fit_result **result, int *where)
 {
@@ -73,18 +89,18 @@ cagd_status fit_test_weights(const cagd_fit_data *data, const cagd_fit_options *
     found->weights_probability = fit_f_probability(found->weights_ratio, more, data->sigma != NULL ? 1e9 : left);
     if (!(found->weights_probability < BY_CHANCE))
         return CAGD_OK;
-    cagd_fit_result *weighted;
+    cagd_fit_result *weighted = NULL;
     free.weight_low = fmax(free.weight_low, 1 / WIDEST);
     free.without_intervals = 1; /* where the same points have asked for weights they covered 90 % */
     free.weight_high = fmin(free.weight_high, WIDEST);
     status = fit_plainly(data, &free, &weighted, where);
-    REQUIRE(status != CAGD_TOO_FEW, CAGD_OK);
-    REQUIRE(status == CAGD_OK, status);
-    int inside = !(found->within > 0) || weighted->largest <= within;
-    for (int k = 0; k < weighted->unknowns; k++)
-        inside = inside && !weighted->at_bound[k];
-    if (!inside || !fit_is_good(data, options, weighted) || !(fit_score(data, weighted) < fit_score(data, r))) {
+    REQUIRE(status == CAGD_OK || status == CAGD_TOO_FEW, status);
+    int better = status == CAGD_OK && (!(found->within > 0) || weighted->largest <= within);
+    for (int k = 0; better && k < weighted->unknowns; k++)
+        better = !weighted->at_bound[k];
+    if (!better || !fit_is_good(data, options, weighted) || !(fit_score(data, weighted) < fit_score(data, r))) {
         cagd_fit_free(weighted);
+        leave_out(r->chi_squared - fall, left, r);
         return CAGD_OK;
     }
     weighted->found = *found;
