@@ -401,6 +401,21 @@ static const char *link_of(const struct document *d, const cagd_tree *link)
     return append(source(d, link->at[0]), " = %s", source(d, link->at[1]));
 }
 
+/* Both sides by the same terms. */
+static void print_similar(const cagd_every *e)
+{
+    if (e->by_factorials)
+        paragraph("C(N, K) = N!/(K! (N - K)!), since 0 \xe2\x89\xa4 K \xe2\x89\xa4 N for all of them", 1);
+    for (int i = 0; i < e->rewritten; i++)
+        paragraph(append("", "%s = %s %s", e->rewriting[i].from, e->rewriting[i].factor, e->rewriting[i].to), 0);
+    paragraph(e->rewritten > 0 || e->by_factorials
+                  ? "So both sides are one rational function of the whole numbers, the names, and the terms and powers "
+                    "that are left."
+                  : "Both sides are one rational function of the whole numbers, the names, and the terms and powers in "
+                    "them.",
+              1);
+}
+
 /* What everybody can check: the identity of rational functions that telescopes. */
 static void print_proof(const struct document *d, const cagd_every *e)
 {
@@ -410,6 +425,10 @@ static void print_proof(const struct document *d, const cagd_every *e)
         paragraph(append("", "It was decided for every real number $%s \\ge %ld$, and before that one by one.", e->n,
                          e->from),
                   1);
+        return;
+    }
+    if (e->similar) {
+        print_similar(e);
         return;
     }
     if (e->E != NULL)
@@ -581,6 +600,13 @@ static void add_proof(json_t *j, const struct document *d, const cagd_every *e)
 {
     if (e->real) {
         json_object_set_new(j, "for_every_real", json_pack("{s:s, s:I}", "n", e->n, "from", (json_int_t)e->from));
+    } else if (e->similar) {
+        json_t *rewritten = json_array();
+        for (int k = 0; k < e->rewritten; k++)
+            json_array_append_new(rewritten, json_pack("{s:s, s:s, s:s}", "term", e->rewriting[k].from, "factor",
+                                                       e->rewriting[k].factor, "of", e->rewriting[k].to));
+        json_object_set_new(j, "similar_terms",
+                            json_pack("{s:o, s:b}", "rewritten", rewritten, "by_factorials", e->by_factorials));
     } else if (e->closed) {
         json_t *sums = json_array();
         for (int k = 0; k < e->sums; k++)

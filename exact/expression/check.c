@@ -7,6 +7,7 @@
 #include "exact/expression/clauses.h"
 #include "exact/expression/depends.h"
 #include "exact/expression/lift.h"
+#include "exact/expression/similar.h"
 #include "exact/expression/vacuous.h"
 #include "exact/number/recorder.h"
 #include "exact/words.h"
@@ -15,14 +16,13 @@
 
 enum { FURTHER_CASES = 248, MOST_CHANGES = 60 };
 
-/* For the only whole number, whose first cases hold. */
+/* For the only whole number, or for every choice of several, whose first cases hold. */
 static int proved_for_every(cagd_run *r)
 {
     long low;
-    if (!cagd_has_one_number(r, &low))
-        return 0;
-    r->out->for_every =
-        cagd_holds_for_every(r->scope, r->statement, r->whole[0], low, CAGD_FIRST_CASES, &r->out->every);
+    r->out->for_every = (cagd_has_one_number(r, &low) && cagd_holds_for_every(r->scope, r->statement, r->whole[0], low,
+                                                                              CAGD_FIRST_CASES, &r->out->every)) ||
+                        cagd_holds_for_every_choice(r->scope, r->statement, r->whole, r->wholes, &r->out->every);
     r->out->strength = r->out->for_every ? CAGD_BY_IDENTITY : r->out->strength;
     return r->out->for_every;
 }

@@ -59,6 +59,30 @@ static int is_in_list(const cagd_variable *v, const char *head)
     return 0;
 }
 
+static int speaks_of(const cagd_variable *v, const char *letter)
+{
+    return (v->low != NULL && cagd_tree_has(v->low, letter)) || (v->high != NULL && cagd_tree_has(v->high, letter)) ||
+           is_in_list(v, letter);
+}
+
+/* Those in whose ranges others stand come behind these. */
+static void put_in_order(const cagd_variable *list[], int count)
+{
+    for (int k = 0; k < count; k++) {
+        int next = k, waits = 1;
+        for (int m = k; m < count && waits; m++) {
+            waits = 0;
+            for (int other = k; other < count; other++)
+                waits |= other != m && speaks_of(list[m], list[other]->head);
+            next = waits ? k : m;
+        }
+        const cagd_variable *v = list[next];
+        for (int m = next; m > k; m--)
+            list[m] = list[m - 1];
+        list[k] = v;
+    }
+}
+
 int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, const cagd_variable *list[], int room)
 {
     int count = 0;
@@ -68,8 +92,7 @@ int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, cons
         for (int k = 0; k < scope->condition_count; k++)
             used |= uses(scope, scope->conditions[k], v->head, 0);
         for (int k = 0; k < count; k++) /* or the range of one that is used */
-            used |= (list[k]->low != NULL && cagd_tree_has(list[k]->low, v->head)) ||
-                    (list[k]->high != NULL && cagd_tree_has(list[k]->high, v->head)) || is_in_list(list[k], v->head);
+            used |= speaks_of(list[k], v->head);
         for (const cagd_variable *w = scope->variables; w != NULL; w = w->next)
             used |= !w->whole && uses(scope, statement, w->head, 0) &&
                     ((w->low != NULL && cagd_tree_has(w->low, v->head)) ||
@@ -83,5 +106,6 @@ int cagd_whole_numbers(const cagd_scope *scope, const cagd_tree *statement, cons
             list[k] = list[k - 1];
         list[0] = v;
     }
+    put_in_order(list, count);
     return count;
 }

@@ -10,7 +10,7 @@
 #include "exact/expression/value.h"
 
 #define CAGD_PI "\\pi"
-enum { CAGD_MOST_UNKNOWNS = 64, CAGD_MOST_LIMITS = 128, CAGD_MOST_MEMOS = 256 };
+enum { CAGD_MOST_UNKNOWNS = 64, CAGD_MOST_LIMITS = 128, CAGD_MOST_MEMOS = 256, CAGD_MOST_LETTERS = 4 };
 
 /* A name with a value: "t", "\omega_3".  The value is a number, or a variable of the field; then the bounds are what is known of
  * it. */
@@ -151,7 +151,7 @@ typedef struct cagd_context {
     cagd_num_f *divisor; /* where it is not NULL, divisors that are no numbers are written there, at most so many */
     int divisors, most_divisors;
     int tells_poles;     /* more than so many are poles that are left out; otherwise they are UNABLE        */
-    cagd_num_f whole[3]; /* variables of the field that stand for whole numbers, as n does in a proof for every n */
+    cagd_num_f whole[CAGD_MOST_LETTERS]; /* variables of the field that stand for whole numbers, as n does in a proof for every n */
     int wholes;
     cagd_sums_met sums;
     int one_sided; /* a derivative was taken where the definitions end, from the side on which they fit */

@@ -56,40 +56,6 @@ static int at_number(cagd_search *s, const cagd_tree *whole, const cagd_tree *ot
     return good && !cagd_is_zero_f(*start) && !cagd_is_zero_f(*first);
 }
 
-/* In the letters of the statement. */
-static const char *spelled(const cagd_search *s, num_f a, const char *n, const char *k)
-{
-    const char *text = cagd_to_string_f(a);
-    size_t room = 8 * strlen(text) + 64, used = 0;
-    char *out = region_bytes(room);
-    for (const char *p = text; out != NULL && *p != '\0' && used + 64 < room;) {
-        const char *word = NULL;
-        size_t length = 0;
-        if (strncmp(p, "vn", 2) == 0)
-            word = n, length = 2;
-        else if (strncmp(p, "vk", 2) == 0)
-            word = k, length = 2;
-        else if (p[0] == 'v') {
-            length = 1 + strspn(p + 1, "0123456789");
-            for (int m = 0; m < s->c.count; m++) {
-                char name[16];
-                snprintf(name, sizeof name, "v%d", m);
-                if (strlen(name) == length && strncmp(name, p, length) == 0)
-                    word = s->c.binding[m].key;
-            }
-        }
-        if (word == NULL) {
-            out[used++] = *p++;
-            continue;
-        }
-        used += (size_t)snprintf(out + used, room - used, "%.60s", word);
-        p += length;
-    }
-    if (out != NULL)
-        out[used] = '\0';
-    return out != NULL ? out : "";
-}
-
 /* What is found: n - by_n and k - (begin_by n + begin) of the statement are the n and k of the question. */
 struct proof {
     const cagd_tree *sum, *whole, *other;
@@ -196,9 +162,9 @@ static int find_proof(cagd_search *s, const cagd_scope *scope, const cagd_tree *
 static struct cagd_variable_text told_growth(const cagd_search *s, const cagd_growth *g, const char *n)
 {
     struct cagd_variable_text out = {.name = cagd_to_string_f(g->w), .of = g->of, .by = g->by};
-    out.times = spelled(s, g->times, n, ""), out.plus = spelled(s, g->plus, n, "");
+    out.times = cagd_in_letters(s, g->times, n, ""), out.plus = cagd_in_letters(s, g->plus, n, "");
     if (g->kind == CAGD_OF_POWER)
-        out.power_of = spelled(s, g->base, n, "");
+        out.power_of = cagd_in_letters(s, g->base, n, "");
     return out;
 }
 
@@ -219,7 +185,7 @@ static int have_closed_forms(cagd_search *s, const cagd_scope *scope, const cagd
             continue;
         if (checked < 1 || out->E != NULL || !cagd_vanishes_by_induction(s, sub_f(before, value), &N, &r))
             return 0;
-        out->E = spelled(s, N, n->head, ""), out->ratio = spelled(s, r, n->head, "");
+        out->E = cagd_in_letters(s, N, n->head, ""), out->ratio = cagd_in_letters(s, r, n->head, "");
     }
     for (int i = 0; out->E != NULL && i < s->growths; i++)
         out->variable[out->variables++] = told_growth(s, &s->growth[i], n->head);
@@ -227,8 +193,8 @@ static int have_closed_forms(cagd_search *s, const cagd_scope *scope, const cagd
     for (int i = 0; i < out->sums; i++) {
         const cagd_closed_sum *sum = &s->closed[i];
         out->sum[i].k = sum->k;
-        out->sum[i].a = spelled(s, sum->a, n->head, sum->k);
-        const char *of_sum = spelled(s, sum->R, n->head, sum->k);
+        out->sum[i].a = cagd_in_letters(s, sum->a, n->head, sum->k);
+        const char *of_sum = cagd_in_letters(s, sum->R, n->head, sum->k);
         out->sum[i].R = sum->is_polynomial ? NULL : of_sum;
         out->sum[i].G = sum->is_polynomial ? of_sum : NULL;
     }
@@ -320,9 +286,9 @@ int cagd_holds_for_every(const cagd_scope *scope, const cagd_tree *statement, co
         return have_closed_forms(s, scope, statement, n, low, checked, out);
     *out = (cagd_every){.order = p.T.order, .from = p.from, .n = n->head, .k = p.sum->head};
     for (int j = 0; j <= p.T.order; j++) /* the n and k of the statement again */
-        out->a[j] = spelled(s, shifted(p.T.a[j], s->n, -p.by_n), n->head, p.sum->head);
-    out->R =
-        spelled(s, shifted(shifted(p.T.R, s->k, p.begin_by == 0 ? -p.begin : 0), s->n, -p.by_n), n->head, p.sum->head);
+        out->a[j] = cagd_in_letters(s, shifted(p.T.a[j], s->n, -p.by_n), n->head, p.sum->head);
+    out->R = cagd_in_letters(s, shifted(shifted(p.T.R, s->k, p.begin_by == 0 ? -p.begin : 0), s->n, -p.by_n), n->head,
+                             p.sum->head);
     out->counted = p.begin_by != 0;
     return region_faults == 0;
 }

@@ -5,6 +5,8 @@
 
 #include "exact/expression/terms.h"
 
+enum { CAGD_MOST_REWRITTEN = 16 };
+
 /* What proves it.  By telescoping (closed = 0): sum_j a_j(n) F(n+j,k) = G(n,k+1) - G(n,k), G = R F, in the letters n and k of the statement, as texts; the recurrence
  * that the sum and S both satisfy, for every n from `from` on; the numbers before that are looked at one by one.  By closed forms: of each of so
  * many sums a_0(n) F(k) = G(k+1) - G(k), in the letter k of that sum; of no sum where n stands in exponents and factorials alone.  real: it was decided
@@ -27,6 +29,12 @@ typedef struct cagd_every {
         const cagd_tree *of;
         int by;
     } variable[CAGD_MOST_GROWTHS];
+
+    /* By similar terms (similar.h): what was written as a factor times another term, in the letters of the statement. */
+    int similar, by_factorials, rewritten;
+    struct cagd_rewriting {
+        const char *from, *factor, *to;
+    } rewriting[CAGD_MOST_REWRITTEN];
 
     const cagd_tree *of; /* the link of a chain, or one of several, that it proves; NULL: the whole statement */
     const struct cagd_every *next;

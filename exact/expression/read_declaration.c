@@ -151,8 +151,6 @@ static int is_of_indices(const cagd_tree *left, const cagd_tree *t)
     return is;
 }
 
-/* Whether the letter, a whole number, is called as last indices are and running ones are not. */
-int cagd_is_called_as_last(const char *letter) { return letter[1] == '\0' && strchr("nmNM", letter[0]) != NULL; }
 int cagd_is_last_index(const cagd_scope *scope, const char *letter)
 {
     const cagd_variable *v = cagd_declared(scope, letter);

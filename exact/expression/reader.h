@@ -277,8 +277,7 @@ int cagd_read_list_of_ranges(cagd_reader *r, cagd_scope *scope, const cagd_scope
 int cagd_is_left_side(cagd_reader *r, const cagd_tree *left, int may_repeat);
 const cagd_tree *cagd_with_given_indices(cagd_reader *r, const cagd_scope *scope, const cagd_tree *left,
                                          const cagd_tree **given);
-/* Whether a letter is called as last indices are, n, m, N, M; and is one, a whole number. */
-int cagd_is_called_as_last(const char *letter);
+/* Whether a letter is called as last indices are, and is one, a whole number. */
 int cagd_is_last_index(const cagd_scope *scope, const char *letter);
 /* Of what has a last index that is not known it is asked whether all are meant; `value`: NULL for bounds. */
 int cagd_refuse_degree(cagd_reader *r, const cagd_scope *scope, const cagd_tree *name, const cagd_tree *value);

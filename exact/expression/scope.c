@@ -188,17 +188,23 @@ int cagd_declare(cagd_scope *scope, cagd_variable v)
 }
 
 static int is_less(cagd_relation r) { return r == CAGD_LESS || r == CAGD_LESS_OR_EQUAL; }
+static int is_greater(cagd_relation r) { return r == CAGD_GREATER || r == CAGD_GREATER_OR_EQUAL; }
+static int is_strict(cagd_relation r) { return r == CAGD_LESS || r == CAGD_GREATER; }
 
-/* The bounds that a condition low <= v <= high tells, where the variable has none. */
+/* The bounds that a condition low <= v <= high, or high >= v >= low, tells, where the variable has none. */
 static void take_bounds(const cagd_scope *scope, cagd_variable *v)
 {
     for (int k = 0; k < scope->condition_count && v->low == NULL && v->high == NULL; k++) {
         const cagd_tree *t = scope->conditions[k];
         if (t->kind != CAGD_RELATION || t->count != 3 || t->at[1]->kind != CAGD_NAME || t->at[1]->count > 0 ||
-            strcmp(t->at[1]->head, v->head) != 0 || !is_less(t->relation[0]) || !is_less(t->relation[1]))
+            strcmp(t->at[1]->head, v->head) != 0)
             continue;
-        v->low = t->at[0], v->low_open = t->relation[0] == CAGD_LESS;
-        v->high = t->at[2], v->high_open = t->relation[1] == CAGD_LESS;
+        const int up = is_less(t->relation[0]) && is_less(t->relation[1]),
+                  down = is_greater(t->relation[0]) && is_greater(t->relation[1]), first = up ? 0 : 1;
+        if (!up && !down)
+            continue;
+        v->low = t->at[2 * first], v->low_open = is_strict(t->relation[first]);
+        v->high = t->at[2 - 2 * first], v->high_open = is_strict(t->relation[1 - first]);
     }
 }
 
@@ -239,6 +245,8 @@ int cagd_is_usual_index(const char *head)
     return is_one_of(head, letters);
 }
 
+int cagd_is_called_as_last(const char *letter) { return letter[1] == '\0' && strchr("nmNM", letter[0]) != NULL; }
+
 /* Whether a name in it is a variable that is no whole number. */
 static int has_real(const cagd_scope *scope, const cagd_tree *t)
 {
@@ -273,10 +281,30 @@ static enum kind_of_number kind_of(const cagd_scope *scope, const cagd_variable 
     return (v->low_open || v->high_open) && !is_one_of(v->head, often_whole) ? IS_REAL : IS_EITHER;
 }
 
+/* A condition that tells both bounds of v is no other condition any more. */
+static int leave_out_bounds(cagd_scope *scope, const cagd_variable *v)
+{
+    const cagd_tree **rest = cagd_region_array(scope->condition_count + 1, 1, sizeof *rest);
+    int count = 0;
+    if (rest == NULL)
+        return 0;
+    for (int k = 0; k < scope->condition_count; k++) {
+        cagd_variable told = {.head = v->head};
+        cagd_scope one = {.conditions = &scope->conditions[k], .condition_count = 1};
+        take_bounds(&one, &told);
+        if (told.low == NULL || told.low != v->low || told.high != v->high)
+            rest[count++] = scope->conditions[k];
+    }
+    scope->conditions = rest, scope->condition_count = count;
+    return 1;
+}
+
 static int become_whole(cagd_scope *scope, const cagd_variable *v)
 {
     cagd_variable whole = *v;
     whole.whole = 1;
+    if (!leave_out_bounds(scope, v))
+        return 0;
     return cagd_declare(scope, whole);
 }
 
@@ -325,9 +353,49 @@ static int make_whole(cagd_scope *scope, const cagd_tree *t, int in_index, cagd_
     return 1;
 }
 
+/* Whether t is such a letter without bounds, called as last indices are: in 0 <= k <= n it begins where k does. */
+static int begins_with(const cagd_scope *scope, const cagd_tree *t, const cagd_variable *k, cagd_variable *v)
+{
+    const cagd_variable *found = t->kind == CAGD_NAME && t->count == 0 ? cagd_declared(scope, t->head) : NULL;
+    cagd_num_q q;
+    if (found == NULL || found->whole || found->real || found->low != NULL || found->high != NULL ||
+        !cagd_is_called_as_last(t->head) || k->low == NULL || !is_number(k->low, &q) || !cagd_is_whole_q(q))
+        return 0;
+    *v = *found, v->low = k->low, v->low_open = k->low_open;
+    return 1;
+}
+
+/* The first name of t, an end of the range of k, that may become whole, and is called as indices are. */
+static int has_end(const cagd_scope *scope, const cagd_tree *t, const cagd_variable *k, cagd_variable *v)
+{
+    if (t == NULL)
+        return 0;
+    if (begins_with(scope, t, k, v) || (may_become_whole(scope, t, v) && kind_of(scope, v) == IS_WHOLE))
+        return 1;
+    for (int i = 0; i < t->count; i++)
+        if (has_end(scope, t->at[i], k, v))
+            return 1;
+    return 0;
+}
+
+/* And n, where 0 <= k <= n is the range of a whole number k. */
+static int make_ends_whole(cagd_scope *scope)
+{
+    cagd_variable end;
+    for (const cagd_variable *v = scope->variables; v != NULL; v = v->next) {
+        if (!v->whole || cagd_declared(scope, v->head) != v ||
+            !(has_end(scope, v->low, v, &end) || has_end(scope, v->high, v, &end)))
+            continue;
+        if (!become_whole(scope, &end))
+            return 0;
+        v = scope->variables; /* its own ends, too */
+    }
+    return 1;
+}
+
 int cagd_make_indices_whole(cagd_scope *scope, const cagd_tree *t, cagd_reading_error *error)
 {
-    return make_counted_whole(scope, t, 0) && make_whole(scope, t, 0, error);
+    return make_counted_whole(scope, t, 0) && make_whole(scope, t, 0, error) && make_ends_whole(scope);
 }
 
 /* One more behind a list, of which there may be copies. */

@@ -72,6 +72,8 @@ cagd_definition *cagd_define(cagd_scope *scope, const cagd_tree *left);
 int cagd_declare(cagd_scope *scope, cagd_variable v);
 /* Whether the letter is a whole number wherever it is an index with bounds: i, j, k, l, m, n, r. */
 int cagd_is_usual_index(const char *head);
+/* Whether the letter is called as last indices are and running ones are not: n, m, N, M. */
+int cagd_is_called_as_last(const char *letter);
 /* Variables with a lower bound that are indices of names of the tree, ends of its sums, or stand below in binomial coefficients become whole
  * numbers, 0 <= i <= n being 0, 1, ..., n, where they were not said to be real and their bounds do not show it.  0 and an error where a name is an index
  * of a function, which may be a parameter, and neither its bounds nor its letter say what it is: 0 <= alpha <= 1. */

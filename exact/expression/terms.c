@@ -3,6 +3,9 @@
 #include "exact/expression/cell.h"
 #include "exact/words.h"
 
+#include <stdio.h>
+#include <string.h>
+
 enum { MOST_DEPTH = 60, MOST_POWER = 60, FURTHEST = 3000 };
 
 static num_f plus(num_f a, long m) { return add_f(a, from_int_f(m)); }
@@ -23,6 +26,39 @@ void cagd_search_begin(cagd_search *s, const cagd_scope *scope, const char *n, i
     variable_of(&s->c, n, s->n);
     variable_of(&s->c, "", s->k);
     cagd_limit_cell(&s->c, plus(s->n, -from), 0);
+}
+
+const char *cagd_in_letters(const cagd_search *s, num_f a, const char *n, const char *k)
+{
+    const char *text = cagd_to_string_f(a);
+    size_t room = 8 * strlen(text) + 64, used = 0;
+    char *out = region_bytes(room);
+    for (const char *p = text; out != NULL && *p != '\0' && used + 64 < room;) {
+        const char *word = NULL;
+        size_t length = 0;
+        if (strncmp(p, "vn", 2) == 0)
+            word = n, length = 2;
+        else if (strncmp(p, "vk", 2) == 0)
+            word = k, length = 2;
+        else if (p[0] == 'v') {
+            length = 1 + strspn(p + 1, "0123456789");
+            for (int m = 0; m < s->c.count; m++) {
+                char name[16];
+                snprintf(name, sizeof name, "v%d", m);
+                if (strlen(name) == length && strncmp(name, p, length) == 0)
+                    word = s->c.binding[m].key;
+            }
+        }
+        if (word == NULL) {
+            out[used++] = *p++;
+            continue;
+        }
+        used += (size_t)snprintf(out + used, room - used, "%.60s", word);
+        p += length;
+    }
+    if (out != NULL)
+        out[used] = '\0';
+    return out != NULL ? out : "";
 }
 
 cagd_range cagd_range_to_n(long low, long last) { return (cagd_range){0, 1, low, last}; }

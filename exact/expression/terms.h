@@ -49,6 +49,8 @@ typedef struct cagd_search {
 
 void cagd_search_begin(cagd_search *s, const cagd_scope *scope, const char *n, int from);
 cagd_num_f cagd_power_f(cagd_num_f a, int e);
+/* In the letters of the statement, n and k being those of the search. */
+const char *cagd_in_letters(const cagd_search *s, cagd_num_f a, const char *n, const char *k);
 
 /* The value as a rational function of n and k; 0 where it is none. */
 int cagd_value_in(cagd_search *s, const cagd_tree *t, const cagd_frame *f, cagd_num_f *out);
