@@ -22,8 +22,11 @@ what it calls the degree is the number of points less one, whether or not the po
 :zh: n 次 Bézier 曲线的定义
 :printed: the points $P_0,\dots,P_n$ determine the Bézier curve of degree $n$: $P(t)=\sum_{i=0}^nP_iB_{i,n}(t)$, $0\le t\le1$
 :definition: yes
-:checked-by: decasteljau_evaluates_bezier_curve
+:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
+:confirmed-by: decasteljau_evaluates_bezier_curve
 :figure: bezier_hull
+
+What is checked is that de Casteljau's recursion, by which the points are computed here, gives this sum, coordinate by coordinate.
 :::
 
 :::{statement} slides-ch4:4-degree

@@ -187,6 +187,8 @@ Bernstein polynomials.
 :confirmed-by: curve_blends_two_curves_of_one_point_less
 :meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as `slides-ch4:4-recursion-notation` is corrected.
 :figure: two_curves_of_one_point_less
+
+It is `4-recursion` with $(1-t)P+tQ=P+t(Q-P)$.
 :::
 
 :::{claim} curve_blends_two_curves_of_one_point_less

@@ -463,6 +463,8 @@ CLAIM(error_is_half_the_sine)
 :printed: For $m=4$, $E=1.6\%$.
 :holds-by: error_for_four_is_as_printed
 :figure: error_of_the_second_way
+
+It is the error itself; by the approximation before it, `1-3-error-approximation`, it would be $\frac1{32}$, which is 3.1 %.
 :::
 */
 

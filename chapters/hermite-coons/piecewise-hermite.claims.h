@@ -44,6 +44,8 @@ In the text at hand the formulas have no signs and no primes; with those shown h
 :checked-by: base_functions_interpolate_once_continuously
 :argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
+:needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ |
+  $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :figure: piecewise_base_functions
 :::
 
@@ -227,6 +229,8 @@ agree there is one linear condition at each inner node; the curves that satisfy 
 :holds-by: base_functions_interpolate_once_continuously
 :argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
+:needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ |
+  $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :meant: the data are values and first derivatives | With a continuous first derivative, $C^1$.
 :reading: base_functions_interpolate_once_continuously | $C^1$, for all data
 :reading: pieces_turn_where_a_derivative_vanishes | a continuous tangent, for all points and tangent vectors of curves: where a vector is 0 the tangent may turn

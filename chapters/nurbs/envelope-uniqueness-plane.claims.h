@@ -153,7 +153,7 @@ CLAIM(osculating_plane_meets_the_origin_once)
   $\mathbf r_i$ are coplanar, so that the family is one of plane curves
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
   points_are_polar_values_of_the_segment member_of_span_is_polar
-:needs: vanishing_curvature_says_nothing_about_the_points | the sentence is about the whole span | the condition holds for all
+:needs: vanishing_curvature_says_nothing_about_the_points | the sentence, which is about the whole span | the condition holds for all
   $t$ of the span; at one $t$, which is what the alternative to $\tau=t$ is about, nothing follows if $\mathbf r'\times\mathbf
   r''=0$ there
 :argued: | If $\mathbf r'\times\mathbf r''\ne0$ at one $t$, the points are in one plane through the origin.  If it is 0 for all $t$, the slopes $y'/x'$ and $z'/x'$ have the

@@ -320,7 +320,7 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
   means that $\mathbf p_i$, $i=j-k+1,\dots,j$, are coplanar
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
   points_are_polar_values_of_the_segment curvatures_have_a_fixed_ratio span_derivatives_are_parallel
-:needs: twisted_sextic_has_products_zero | the sentence is about the whole span | the condition holds for all pairs of the
+:needs: twisted_sextic_has_products_zero | the sentence, which is about the whole span | the condition holds for all pairs of the
   square; at one pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points
   need not be coplanar
 :argued: | Either the last two factors are independent for one pair, and their normal is common to all points, or $R'\times R''$ is 0 for all pairs.  At $\tau=t$ it is

@@ -227,6 +227,8 @@ curve.
 :method: The levels of de Boor's triangle in homogeneous coordinates, and the kernel of the derivatives of a segment.
 :degrees: 1..6 sampled 7
 :scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | With the polar form $f$ of the segment in homogeneous coordinates $P^{[r]}(t,\tau)=f[\tau^r,t^m]$, affine in each argument; so
+  $\partial_t^iP^{[r]}=\frac{m!}{(m-i)!}f[\tau^r,t^{m-i},\delta^i]$, $\delta$ being the direction, and for $\tau=t$ the value of $f$ is that of $r=0$, where $m$ is $n$.
 :control: the factors left out
 :::
 */

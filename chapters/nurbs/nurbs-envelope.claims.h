@@ -90,6 +90,7 @@ CLAIM(segment_needs_the_points_of_its_span)
 :definition: yes
 :checked-by: member_of_span_is_polar extrapolated_members_keep_positive_weights_inside
 :confirmed-by: divisors_contain_the_span
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a weight of a level may vanish
 :figure: nurbs_envelope_families
 
 Level $r$ has the indices $j-k+r+1,\dots,j$ of the sums, and its divisors are $t_{i+k-r}-t_i\ge t_{j+1}-t_j>0$.

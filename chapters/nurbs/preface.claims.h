@@ -421,7 +421,7 @@ CLAIM(recursion_subtracts_data_only)
 :printed: The matrix form in the power basis has polynomial time complexity and is suited to the algorithm of Qin
   Jiushao and Horner
 :holds-by: horner_takes_two_operations_a_degree matrices_take_polynomial_time
-:argued: every order | Polynomial is a word about all orders: Horner's rule has one product and one sum for each power, and the kernels of the matrices are
+:argued: | Polynomial is a word about all orders: Horner's rule has one product and one sum for each power, and the kernels of the matrices are
   loops inside loops, at most six deep, each of at most $k+1$ steps.
 :confirmed-by: determinant_written_out_is_factorial
 :meant: the word time, which is that of a computation | The time of computing with the matrices, by recursion, by differences, or by determinants in polynomial time, and products.

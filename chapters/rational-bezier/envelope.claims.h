@@ -30,10 +30,12 @@ numbers $t$ and $c$ stand for $(t-a)/(b-a)$ and $(c-a)/(b-a)$.
   R_{i+r}^r(c)} {\sum_{i=0}^{n-r}B_i^{n-r}(\frac{t-a}{b-a})\,\omega_{i+r}^r(c)},\quad a\le t\le b,\ a\le c\le b
 :definition: yes
 :checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power weighted_points_are_cut_like_the_weights
-  cut_coefficients_are_convex
+  cut_coefficients_are_convex positive_terms_make_a_convex_mean
 :confirmed-by: member_is_a_polar_curve
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
+:needs: cut_outside_can_fail | the formula: $a\le c\le b$ | $a\le c\le b$: outside a weight of the triangle may vanish although all $\omega_i>0$
+:needs: member_may_have_a_pole_outside | the formula: $a\le t\le b$ | $a\le t\le b$: outside the denominator may vanish although all $\omega_i>0$
 :figure: envelope_families
 
 In the source this is the member of the set of which $\mathbf R(t)$ is said to be the envelope.  The indices are in range: level $r$ has the indices $r,\dots,n$.
@@ -81,7 +83,7 @@ control polygon, and the polar form says of which curve.
 :printed: The geometric meaning of the vertices of an intermediate step of cutting: (3.3.2) and (3.3.3) determine a family of rational Bézier curves of degree
   $n-r$, $r=1,2,\dots,n-1$, (3.3.4), one for each $c$, $a\le c\le b$.
 :holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power weighted_points_are_cut_like_the_weights
-  cut_coefficients_are_convex
+  cut_coefficients_are_convex positive_terms_make_a_convex_mean
 :confirmed-by: member_is_a_polar_curve
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
@@ -119,6 +121,33 @@ CLAIM(member_may_lose_a_point)
     found_points(T, "ω_1^1, ω_2^1", 2, 1, w);
     about(T, "the weights of level 1 are not 0");
     refute(T, zeros == 0 && (is_zero_q(w[0]) || is_zero_q(w[1])));
+}
+
+/*
+:::{claim} member_may_have_a_pole_outside
+:title: Outside the interval the denominator of a member may vanish
+:zh: 区间外族曲线的分母可为零
+:kind: counterexample
+:data: ω = 1 1 2; c = 1/2; t = -2
+:instead: t = 1/2
+:result: ω_1^1, ω_2^1 = 1 3/2; denominator = 0
+:given: $n=2$, three positive weights $\omega$, $[a,b]=[0,1]$; $r=1$, a parameter $c$ inside and a $t$ outside
+:then: $(1-t)\,\omega_1^1(c)+t\,\omega_2^1(c)=0$, and the member has no point there
+:method: The weights of level 1 and the denominator are computed exactly; that it is not 0 is what is compared.
+:control: $t$ inside the interval
+:::
+*/
+CLAIM(member_may_have_a_pole_outside)
+{
+    num w[3];
+    given_points(T, "ω", 3, 1, w);
+    num c = given(T, "c"), t = given(T, "t");
+    G(bezier_casteljau_level)(2, 1, w, c);
+    num denominator = add(mul(sub(from_int(1), t), w[0]), mul(t, w[1]));
+    found_points(T, "ω_1^1, ω_2^1", 2, 1, w);
+    found(T, "denominator", denominator);
+    about(T, "the denominator is not 0");
+    refute(T, is_zero_q(denominator));
 }
 #endif
 

@@ -93,7 +93,7 @@ the half line and its end: what goes wrong further on goes wrong there.
 :zh: 参数变换及其逆
 :printed: t=\frac{au+b}{u+1},\ 0\le u\le+\infty;\qquad u=\frac{b-t}{t-a},\ a\le t\le b
 :holds-by: parameter_change_and_its_inverse large_parameters_lead_to_the_left_end
-:needs: parameter_change_needs_two_ends | (3.3.1), which divides by $b-a$ | $a<b$: for $a=b$ the interval is a point
+:needs: parameter_change_needs_two_ends | theorem 3.3.1: $c\in(a,b)$ | $a<b$: for $a=b$ the interval is a point
 :meant: the second formula, which divides by 0 for $t=a$ | The value $u=+\infty$ stands for $t=a$, as a limit.
 
 $t$ decreases from $b$ to $a$ while $u$ increases from $0$ to $+\infty$.

@@ -25,6 +25,8 @@ all triangles.
 :hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3^2=0$ is missing.
 :figure: limings_pencil
 
+The frame $\{R_1;R_1R_0,R_1R_2\}$, for which this is stated (`fig-3.1.1`), is that of the sentences after it, and $l_1$ and $l_2$ are not parallel there.
+
 The values and gradients of the members are linear in the two factors $1-\lambda$ and $\lambda$, so what is proved of them is true for the factors $1$ and $-1$ of
 $\lambda=\infty$ as well.
 :::

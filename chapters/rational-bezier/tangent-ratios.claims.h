@@ -573,8 +573,9 @@ ratios is $-4\lambda/(1-\lambda)$.
 :zh: g_1 g_2 与动点无关
 :printed: The value of $g_1g_2$ does not depend on the moving point $R$.
 :holds-by: product_of_ratios_is_constant
-:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
-  R_0,R_2$, and the tangent is parallel to neither $l_1=0$ nor $l_2=0$.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_0,R_2$: there the ratios are $0/0$.
+:needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | the tangent is parallel to neither $l_1=0$ nor
+  $l_2=0$, so that $A$ and $B$ are points; the printed quotients exist there, and so does their product.
 :figure: tangent_ratios
 :::
 

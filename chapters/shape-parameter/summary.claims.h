@@ -62,7 +62,12 @@ Outward has the sense of `property-3.5`.
 :corrected: for $\beta=1$ it depends on the polygon: by the largest distance of a point of the curve from the polygon the curve is nearer than the Bézier
   curve to the convex polygon of the decision, and farther than it from the convex one of the first counterexample
 :corrected-by: convex_polygon_prefers_beta_one
+:meant: property 3.5, by which a larger $\beta$ is better | The curve of $\beta=1$, the right end of the range, is compared with the one of $\beta=0$.
+:confirmed-by: polygons_that_do_not_move
 :figure: closer_or_not
+
+With a $\beta$ of its own for each polygon nothing more is said than that $\beta=0$ is one of the range; strictly nearer no $\beta$ makes the curve of
+$P,P,P,P,Q,Q,Q,Q$ (`polygons_that_do_not_move`, with the corrected functions).
 :::
 
 :::{statement} deng-zhang-2022:abstract-features
@@ -97,9 +102,13 @@ Outward has the sense of `property-3.5`.
   ones; by the largest distance of a point of the curve from the polygon the curve of $\beta=1$ is nearer than that of $\beta=0$ to the convex polygon of the
   last decision, and farther than it from the convex one of the first counterexample
 :corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one
+:meant: property 3.5, by which a larger $\beta$ is better | The curve of $\beta=1$, the right end of the range, is compared with the one of $\beta=0$.
 :figure: closer_or_not
 
 Adjustable as a parametrized curve; sets of points are not compared.
+
+With a $\beta$ of its own for each polygon nothing more is said than that $\beta=0$ is one of the range; strictly nearer no $\beta$ makes the curve of
+$P,P,P,P,Q,Q,Q,Q$ (`polygons_that_do_not_move`, with the corrected functions).
 :::
 
 :::{statement} deng-zhang-2022:sec-1-unique
