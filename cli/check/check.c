@@ -1,4 +1,5 @@
 /* check.c -- cagd check: decides the formulas of a file. */
+#include "exact/expression/check.h"
 #include "chapters/judge/memory_text.h"
 #include "cli/check/certificate.h"
 #include "cli/check/counterexample.h"
@@ -11,7 +12,6 @@
 #include "cli/refuse.h"
 #include "cli/report.h"
 #include "core/clock.h"
-#include "exact/expression/check.h"
 #include "exact/words.h"
 
 #include <stdio.h>

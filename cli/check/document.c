@@ -506,6 +506,7 @@ static void read_or_wait(struct document *d, int from, int to, const char *left_
 static void read_let(struct document *d, int at, int stop)
 {
     int first = !is_in_order(d, at, stop), begin = at;
+    d->scope.in_block = 1, d->scope.block = d->scope.variables;
     for (int end; first && next_entry(d, &at, stop, &end); at = behind(d, end)) {
         int from = at, to = end;
         strip(d, &from, &to);
@@ -524,6 +525,7 @@ static void read_let(struct document *d, int at, int stop)
             continue;
         read_or_wait(d, from, to, NULL);
     }
+    d->scope.in_block = 0;
 }
 
 /* A formula that defines what it has on its left side, though nobody said that it is to be read. */

@@ -230,6 +230,20 @@ static const char *joined(const char *format, const char *a, const char *b)
     return kept != NULL ? kept : "";
 }
 
+/* Single values of the parameter that are not decided, $k = 0$, $k = 1$; "" where there are none. */
+static const char *open_values(const struct answer *a)
+{
+    const char *text = "";
+    for (int k = 0; a->found.known && a->formula.find != NULL && k < a->found.cells.count; k++) {
+        const struct cagd_root *r = &a->found.cells.root[k];
+        if (a->found.cells.at[k] == CAGD_UNDECIDED &&
+            (!cagd_equal_q(r->lo, r->hi) || cagd_is_inside(&a->found.domain, r->lo)))
+            text = joined("%s%s", text,
+                          joined(text[0] != '\0' ? ", $%s = %s$" : "$%s = %s$", a->formula.find, end_text(r)));
+    }
+    return text;
+}
+
 static const char *values_text(const struct answer *a)
 {
     switch (extent_of(a)) {
@@ -259,7 +273,10 @@ static void print_properties(const struct answer answer[])
         const char *evidence = evidence_text(a);
         if (a->is_left_out || (k == DEFINED && extent_of(a) == FOR_ALL))
             continue;
-        row(a->property->title, evidence[0] != '\0'
+        const char *open = open_values(a);
+        row(a->property->title, evidence[0] != '\0' && open[0] != '\0' && !is_open(a)
+                                    ? joined("%s (%s)", values_text(a), joined("%s; undecided for %s", evidence, open))
+                                : evidence[0] != '\0'
                                     ? joined(is_open(a)     ? "%s (%s; for other values it may be undecided)"
                                              : a->of_limits ? "%s, as limits (%s)"
                                                             : "%s (%s)",

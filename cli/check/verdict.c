@@ -161,6 +161,15 @@ static int has_root(const cagd_tree *t)
     return has;
 }
 
+/* Whether it says that a value is within the bounds of its name: both are told. */
+static int is_of_value(const struct formula *s, const cagd_tree *condition)
+{
+    for (const cagd_definition *d = s->scope.definitions; d != NULL; d = d->next)
+        if (d->left->from == condition->from && d->left->to <= condition->to && d->left->count == 0)
+            return 1;
+    return 0;
+}
+
 const char *scope_of_finding(const struct document *d, const struct formula *s, const cagd_finding *f)
 {
     const cagd_variable *whole[16];
@@ -225,7 +234,7 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
         if (is_given_here(d, value) && cagd_depends_on(&s->scope, s->tree, value->left->head))
             text = append(text, "%s$%s = %s$", comma, source(d, value->left), source(d, value->body)), comma = ", ";
     for (int k = 0; k < s->scope.condition_count; k++) {
-        if (!is_about_names(f, s->scope.conditions[k]) ||
+        if (!is_about_names(f, s->scope.conditions[k]) || is_of_value(s, s->scope.conditions[k]) ||
             is_part_of(s->scope.conditions[k], k > 0 ? s->scope.conditions[k - 1] : NULL))
             continue;
         text = append(text, "%s$%s$", comma, source(d, s->scope.conditions[k]));
@@ -243,8 +252,8 @@ const char *scope_of_finding(const struct document *d, const struct formula *s, 
     const cagd_tree *premise = s->tree->kind == CAGD_IMPLIES ? s->tree->at[0] : NULL;
     for (int k = 0; premise != NULL && k < (premise->kind == CAGD_ALL ? premise->count : 1); k++) {
         one = premise->kind == CAGD_ALL ? premise->at[k] : premise;
-        if (!cagd_is_range_of_name(&s->scope, one, NULL) || has_root(one) ||
-            is_part_of(one, k > 0 ? premise->at[k - 1] : NULL))
+        if ((s->tree->at[0]->from < s->tree->at[1]->from && !cagd_is_range_of_name(&s->scope, one, NULL)) ||
+            has_root(one) || is_part_of(one, k > 0 ? premise->at[k - 1] : NULL))
             continue;
         text = append(text, "%s$%s$", comma, source(d, one));
         comma = ", ";
@@ -558,8 +567,12 @@ void print_finding_page(const struct document *d, const struct formula *s, const
             "But it says nothing: it holds however it is changed, or both sides are one formula, or it is supposed.",
             1);
     else if (f->changes > 0)
-        paragraph(append("", "Changed in one number, sign, index, range or relation it fails in %d of %d ways.",
-                         f->noticed, f->changes),
+        paragraph(append(append("", "Changed in one number, sign, index, range or relation it fails in %d of %d ways",
+                                f->noticed, f->changes),
+                         f->open == 0   ? "."
+                         : f->open == 1 ? "; one is not decided."
+                                        : "; %d are not decided.",
+                         f->open),
                   1);
     if (f->one_sided)
         paragraph("At the end of where a function is defined its derivative is the one-sided one.", 1);
@@ -658,6 +671,7 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
     if (f->changes > 0 || f->says_nothing) {
         json_object_set_new(j, "changes", json_integer(f->changes));
         json_object_set_new(j, "changes_noticed", json_integer(f->noticed));
+        json_object_set_new(j, "changes_undecided", json_integer(f->open));
         json_object_set_new(j, "says_nothing", json_boolean(f->says_nothing));
     }
     if (f->for_every && f->every.next == NULL)
@@ -677,8 +691,7 @@ json_t *finding_json(const struct document *d, const struct formula *s, const ca
 
 /* ---- for which values it holds ------------------------------------------------------------------------- */
 
-/* A number that is an end: as it is, or the first digits of a root. */
-static const char *end_text(const struct cagd_root *r) { return is_number(r) ? to_string_q(r->lo) : digits_of(r); }
+const char *end_text(const struct cagd_root *r) { return is_number(r) ? to_string_q(r->lo) : digits_of(r); }
 
 /* The parts in which it holds: between the cuts first and last of the cells; -1 and `count` are the ends of the domain. */
 struct span {
@@ -778,8 +791,9 @@ void print_found_page(const struct document *d, const struct formula *s, const c
     }
     struct span span[2 * CAGD_MOST_CUTS + 2];
     int spans = spans_of(f, span), whole = spans == 0 || (spans == 1 && span[0].first < 0 && span[0].last == c->count);
-    paragraph(append("It holds for ", "%s%s (decided, %ld case%s).", values_of(s, f), whole ? "" : ", and for no other",
-                     f->cases, f->cases == 1 ? "" : "s"),
+    paragraph(append("It holds for ", "%s%s (decided, %ld case%s)%s.", values_of(s, f),
+                     whole ? "" : ", and for no other", f->cases, f->cases == 1 ? "" : "s",
+                     f->leaves_out_poles ? ", wherever both sides are defined" : ""),
               1);
     print_roots(s, f);
     int first = 1;

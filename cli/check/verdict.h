@@ -19,6 +19,8 @@ const char *reason_of(const struct document *d, const cagd_finding *f);
 const char *value_text(const cagd_given *g);
 
 /* For which values of the parameter it holds, in TeX: "$-7 \le \beta \le 1$"; in the region. */
+/* A number that is an end: as it is, or the first digits of a root. */
+const char *end_text(const struct cagd_root *r);
 const char *values_of(const struct formula *s, const cagd_found *f);
 /* For which numbers it breaks first in cell k: "$\beta = -8$, $i = 1$, $t = 1/65$"; in the region. */
 const char *breaking_text(const struct formula *s, const cagd_found *f, int k);

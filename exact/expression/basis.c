@@ -304,6 +304,21 @@ static cagd_constraint has_no_zero(const cagd_basis *b)
     return (cagd_constraint){.p = mul_f(common, common), .demand = CAGD_MORE_THAN_ZERO, .t = x};
 }
 
+/* At an end of the interval no denominator is 0, but for one that is so whatever the parameter is: then the limit is meant. */
+static int defined_at_ends(const cagd_basis *b, cagd_constraint to[])
+{
+    const num_q end[] = {b->t.low, b->t.high};
+    int count = 0;
+    for (int i = 0; i < b->count && b->has_parameter; i++)
+        for (int k = 0; k < 2; k++) {
+            num_f m = substitute_f(cagd_denominator_f(b->function[i]), b->t.variable, from_rational_f(end[k]));
+            if (!cagd_is_zero_f(m) && !is_constant_f(m, NULL))
+                to[count++] = (cagd_constraint){
+                    .p = mul_f(m, m), .demand = CAGD_MORE_THAN_ZERO, .t = {.variable = b->range.variable}};
+        }
+    return count;
+}
+
 void cagd_basis_defined(const cagd_basis *b, cagd_found *out)
 {
     num_f p[CAGD_MOST_FUNCTIONS], poles;
@@ -311,8 +326,9 @@ void cagd_basis_defined(const cagd_basis *b, cagd_found *out)
     int has_sign = begin(b, p, &poles, out);
     if (!has_sign && b->others > 0)
         return;
-    cagd_constraint defined = has_sign ? no_pole(b, poles) : has_no_zero(b);
-    out->known = cagd_cells_of(1, &defined, &out->domain, &out->cells);
+    cagd_constraint defined[2 * CAGD_MOST_FUNCTIONS + 1] = {has_sign ? no_pole(b, poles) : has_no_zero(b)};
+    const int count = 1 + defined_at_ends(b, defined + 1);
+    out->known = cagd_cells_of(count, defined, &out->domain, &out->cells);
     if (!out->known)
         not_known(out, "too many poles");
 }
@@ -423,6 +439,7 @@ void cagd_basis_totally_positive(const cagd_basis *b, double seconds, cagd_found
     cagd_answer_cells(blocks, one_of, &out->domain, weak);
     combine(c, weak);
     without_poles(&one_of[2 * blocks], &out->domain, c);
+    out->why = "the functions are not independent, and then the signs of their Wronskians do not tell";
     int telling = cagd_telling_failure(c);
     if (telling >= 0 && c->has_witness[telling]) {
         int which = first[c->broken[telling]];

@@ -86,6 +86,38 @@ int cagd_is_range_of_name(const cagd_scope *scope, const cagd_tree *t, const cag
            is_constant(scope, t->at[1 - which], NULL, 0);
 }
 
+/* Whether an end of the range t, low <= v <= high or one of them, is a number outside of the bounds of v. */
+static int is_beyond(const cagd_scope *scope, const cagd_tree *t)
+{
+    if (!cagd_is_range_of_name(scope, t, NULL))
+        return 0;
+    const int which = t->count == 3 || !is_free(scope, t->at[0], NULL);
+    const cagd_variable *v = t->at[which]->count == 0 ? cagd_declared(scope, t->at[which]->head) : NULL;
+    cagd_num_q end, bound;
+    for (int k = 0; v != NULL && k < t->count; k++) {
+        if (k == which || !cagd_is_plain_number(t->at[k], &end))
+            continue;
+        const int is_low = (k < which) == goes_up(t->relation[k < which ? k : which]);
+        const cagd_tree *of = is_low ? v->low : v->high;
+        if (of != NULL && cagd_is_plain_number(of, &bound) &&
+            (is_low ? cagd_compare_q(end, bound) < 0 : cagd_compare_q(end, bound) > 0))
+            return 1;
+    }
+    return 0;
+}
+
+const cagd_tree *cagd_is_beyond_bounds(const cagd_scope *scope, const cagd_tree *statement)
+{
+    const int implies = statement->kind == CAGD_IMPLIES && statement->at[0]->from != statement->from;
+    const cagd_tree *all = implies ? statement->at[0] : statement;
+    if (implies && all->kind != CAGD_ALL)
+        return is_beyond(scope, all) ? all : NULL;
+    for (int k = !implies; (implies || (all->kind == CAGD_ALL && !all->juxtaposed)) && k < all->count; k++)
+        if (is_beyond(scope, all->at[k]))
+            return all->at[k];
+    return NULL;
+}
+
 /* A name that means nothing, and is none of the letters of `left`. */
 static const cagd_tree *unknown_in(const cagd_scope *scope, const cagd_tree *t, const cagd_tree *left)
 {

@@ -438,6 +438,7 @@ static unsigned sign_here(const cagd_context *c, num_f f)
 unsigned cagd_signs(cagd_context *c, cagd_value d)
 {
     cagd_suppose_for_names(c);
+    int is_beside = 0;
     d = settled(c, d);
     for (int k = c->count - 1; k >= 0 && region_faults == 0 && !d.rational; k--) {
         const cagd_binding *b = &c->binding[k];
@@ -448,7 +449,7 @@ unsigned cagd_signs(cagd_context *c, cagd_value d)
         cagd_value there = cagd_value_f(substitute_f(f, b->value.f, place));
         if (cagd_is_zero_here(c, there))
             return signs_beside(c, f, b, place);
-        d = there;
+        d = there, is_beside = 1;
     }
     if (d.rational || region_faults != 0)
         return region_faults != 0 ? CAGD_ANY_SIGN : sign_of_number(d.q);
@@ -456,7 +457,10 @@ unsigned cagd_signs(cagd_context *c, cagd_value d)
         return sign_here(c, d.f);
     unsigned above = signs_of_polynomial(c, cagd_numerator_f(d.f), 0),
              below = signs_of_polynomial(c, cagd_denominator_f(d.f), 1);
-    return product(above, below);
+    /* where it can be 0 at the place, what it is beside that is another matter there */
+    return is_beside && (above & CAGD_CAN_BE_ZERO) && above != CAGD_CAN_BE_ZERO && (c->split != NULL || c->has_cut)
+               ? CAGD_ANY_SIGN
+               : product(above, below);
 }
 
 int cagd_divides(cagd_context *c, cagd_value d)

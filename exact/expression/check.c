@@ -198,6 +198,37 @@ static int is_never_negative(const cagd_scope *scope, const cagd_tree *q, double
     return f->answer == CAGD_HOLDS;
 }
 
+/* Whether of the roots, whatever the names are, one is of a negative number. */
+static int is_defined_nowhere(const cagd_scope *scope, const cagd_lifted *lifted, double until)
+{
+    static const cagd_relation less[] = {CAGD_LESS};
+    const cagd_tree *one[CAGD_MOST_LIFTED], *any;
+    cagd_finding *f = region_bytes(sizeof *f);
+    int count = 0;
+    for (int k = 0; k < lifted->count; k++) {
+        const cagd_tree *q = lifted->of[k];
+        cagd_tree *t = lifted->is_length[k] ? NULL : cagd_tree_new(CAGD_RELATION, q->from, q->to, 2);
+        if (t == NULL)
+            continue;
+        t->at[0] = q, t->at[1] = cagd_tree_number(0, q->from, q->to), t->relation = less;
+        one[count++] = t;
+    }
+    if (count == 0 || f == NULL)
+        return 0;
+    if (count == 1)
+        any = one[0];
+    else {
+        cagd_tree *list = cagd_tree_new(CAGD_ANY, one[0]->from, one[0]->to, count);
+        for (int k = 0; list != NULL && k < count; k++)
+            list->at[k] = one[k];
+        any = list;
+    }
+    *f = (cagd_finding){0};
+    if (any != NULL)
+        check_as_read(scope, any, until, 1, f);
+    return f->answer == CAGD_HOLDS;
+}
+
 /* What is not decided with its roots may be decided with names for them (lift.h). */
 static void check_with_names_for_roots(const cagd_scope *scope, const cagd_tree *statement, double until, int quick,
                                        cagd_finding *out)
@@ -216,6 +247,10 @@ static void check_with_names_for_roots(const cagd_scope *scope, const cagd_tree 
         f->of_left = f->of_right = NULL;
     for (int k = 0; f->answer == CAGD_HOLDS && k < lifted->count && !f->leaves_out_poles && !quick; k++)
         f->leaves_out_poles = !lifted->is_length[k] && !is_never_negative(scope, lifted->of[k], until);
+    if (f->answer == CAGD_HOLDS && !quick && is_defined_nowhere(scope, lifted, until)) {
+        f->answer = CAGD_UNDECIDED, f->undecided = 1;
+        f->why = "it is defined nowhere: a root of what is negative";
+    }
     *out = *f;
 }
 
@@ -355,6 +390,21 @@ struct parts {
     int asked; /* behind a word, in a row of its own, or between formulas: whether it is supposed is asked for */
 };
 
+/* Whether none of the names in t, which has some, stands in what is said. */
+static int speaks_of_no_name_in(const cagd_scope *scope, const cagd_tree *t, const cagd_tree *said)
+{
+    int speaks = 0, names = 0;
+    if (t->kind == CAGD_NAME && cagd_declared(scope, t->head) != NULL)
+        return !cagd_tree_has(said, t->head) && !cagd_depends_on(scope, said, t->head);
+    for (int k = 0; k < t->count; k++) {
+        if (t->at[k]->kind == CAGD_NUMBER)
+            continue;
+        names++;
+        speaks |= !speaks_of_no_name_in(scope, t->at[k], said);
+    }
+    return names > 0 && !speaks;
+}
+
 /* The statement, "A, \quad u + v = 1", or "A, \quad u + v = 1, \quad x \in [0,1]", with the parts of plain names supposed; 0 where there are none. */
 static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct parts *out)
 {
@@ -380,6 +430,8 @@ static int suppose_parts(const cagd_scope *scope, const cagd_tree *t, struct par
         out->asked |= !plain && supposed->count > 0;
         out->are_ranges &= is_range || !plain;
     }
+    for (int k = 0; k < supposed->count && said->count > 0; k++) /* x^2 \ge 0, y \ge 0 */
+        out->asked |= speaks_of_no_name_in(scope, supposed->at[k], said);
     if (said->count == 0) { /* a >= 0, a^3 >= 0: what is no range is said */
         supposed->count = 0;
         for (int k = 0; k < t->count; k++) {
@@ -428,6 +480,12 @@ static int fails_for_one_alone(const cagd_scope *scope, const cagd_tree *t, doub
 void cagd_check(const cagd_scope *scope, const cagd_tree *statement, double seconds, cagd_finding *out)
 {
     struct parts parts;
+    const cagd_tree *beyond = cagd_is_beyond_bounds(scope, statement);
+    if (beyond != NULL) {
+        *out = (cagd_finding){.answer = CAGD_UNDECIDED, .undecided = 1, .cases = 1, .where = beyond};
+        out->why = CAGD_BEYOND_BOUNDS;
+        return;
+    }
     check(scope, statement, seconds, 0, out);
     if (out->answer == CAGD_FAILS && fails_for_one_alone(scope, statement, seconds, out))
         return;
@@ -474,6 +532,7 @@ void cagd_check_changes(const cagd_scope *scope, const cagd_tree *statement, dou
             check(scope, changed, until - cagd_seconds(), 1, f);
             out->changes++;
             out->noticed += f->answer == CAGD_FAILS;
+            out->open += f->answer == CAGD_UNDECIDED;
             held += f->answer == CAGD_HOLDS;
         }
         region_drop(mark);

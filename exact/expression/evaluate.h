@@ -150,8 +150,9 @@ typedef struct cagd_context {
     int fits_none;       /* no definition of a name fitted                                                */
     cagd_num_f *divisor; /* where it is not NULL, divisors that are no numbers are written there, at most so many */
     int divisors, most_divisors;
-    int tells_poles;     /* more than so many are poles that are left out; otherwise they are UNABLE        */
-    cagd_num_f whole[CAGD_MOST_LETTERS]; /* variables of the field that stand for whole numbers, as n does in a proof for every n */
+    int tells_poles; /* more than so many are poles that are left out; otherwise they are UNABLE        */
+    cagd_num_f whole
+        [CAGD_MOST_LETTERS]; /* variables of the field that stand for whole numbers, as n does in a proof for every n */
     int wholes;
     cagd_sums_met sums;
     int one_sided; /* a derivative was taken where the definitions end, from the side on which they fit */

@@ -254,12 +254,29 @@ static cagd_value derivative_by_name(cagd_context *c, const cagd_tree *t, const 
     return by->head != NULL ? cagd_derivative_of(c, by, t->at[0], NULL, order, at, f) : at;
 }
 
+/* A name in t that was given a value with that letter in it, y = x, for which it is not known whether it is put in before or after; with `declared`, one that was
+ * declared before.  NULL where there is none. */
+static const cagd_tree *given_by(const cagd_scope *scope, const cagd_tree *t, const char *letter, int declared)
+{
+    const cagd_definition *d = t->kind == CAGD_NAME && t->count == 0 ? cagd_defined(scope, t->head) : NULL;
+    if (d != NULL && d->left->count == 0 && d->body != NULL && strcmp(t->head, letter) != 0 &&
+        (!declared || cagd_declared(scope, t->head) != NULL) && cagd_tree_has(d->body, letter))
+        return t;
+    const cagd_tree *found = NULL;
+    for (int k = 0; k < t->count && found == NULL; k++)
+        found = given_by(scope, t->at[k], letter, declared);
+    return found;
+}
+
 /* d^k a / dx^k for a letter x that has a value here. */
 cagd_value cagd_derivative_value(cagd_context *c, const cagd_tree *t, const cagd_frame *f)
 {
     cagd_tree letter = {.kind = CAGD_NAME, .head = t->head, .from = t->from, .to = t->to};
     if (t->count > 2)
         return derivative_by_name(c, t, f);
+    if (t->order > 0 && given_by(c->scope, t->at[0], t->head, 0) != NULL)
+        return cagd_fail(c, given_by(c->scope, t->at[0], t->head, 0), FAULT_UNABLE,
+                         "is its value put in before the partial derivative is taken, or after it?");
     long order = cagd_order_of(c, t, t->at[1], f);
     if (region_faults == 0 && cagd_is_angle_in(c, t->at[0], t->head)) {
         struct cagd_angle here = {&letter, f, cagd_value_int(0), cagd_value_int(0)};
@@ -289,6 +306,10 @@ cagd_value cagd_integral_value(cagd_context *c, const cagd_tree *t, const cagd_f
 {
     cagd_value low = cagd_evaluate_in(c, t->at[0], f), high = cagd_evaluate_in(c, t->at[1], f), sum = cagd_value_int(0);
     int known = c->count;
+    const cagd_tree *given = cagd_declared(c->scope, t->head) != NULL ? given_by(c->scope, t->at[2], t->head, 1) : NULL;
+    if (given != NULL)
+        return cagd_fail(c, given, FAULT_UNABLE,
+                         "it was given by the letter of the integral, which is another one inside");
     num_f x = fresh(c, sum, 0);
     if (region_faults == 0)
         c->binding[c->count - 1].near = 0; /* it is anywhere between the ends */

@@ -2,6 +2,7 @@
 
 #include "core/clock.h"
 #include "exact/expression/angle.h"
+#include "exact/expression/bounds.h"
 #include "exact/expression/cases.h"
 #include "exact/expression/clauses.h"
 #include "exact/expression/depends.h"
@@ -36,8 +37,8 @@ struct cagd_collection {
 static int constant_node(num_q q) { return cagd_node_of_q(cagd_value_constant(q).q); }
 
 /* The relation between d and 0, of which t is the other variable, if other. */
-static void note(struct cagd_collection *into, int relation, cagd_value d, num_f parameter,
-                 const cagd_side_of_box *t, int other)
+static void note(struct cagd_collection *into, int relation, cagd_value d, num_f parameter, const cagd_side_of_box *t,
+                 int other)
 {
     struct noted *n = into->noted;
     if (n == NULL || n->count == MOST_CONSTRAINTS)
@@ -64,13 +65,15 @@ static int note_cells(const struct noted *n, const cagd_side_of_box *domain, con
     enum { MOST_TERMS = 4000 };
     int terms[CAGD_MOST_CUTS], between[2 * CAGD_MOST_CUTS], holds[2 * CAGD_MOST_CUTS + 1], count = 0;
     int *term = region_bytes(MOST_TERMS * sizeof *term);
-    int ends[2] = {domain->has_low ? constant_node(domain->low) : -1, domain->has_high ? constant_node(domain->high) : -1};
+    int ends[2] = {domain->has_low ? constant_node(domain->low) : -1,
+                   domain->has_high ? constant_node(domain->high) : -1};
     int open[2] = {domain->low_open, domain->high_open};
     for (int k = 0; k < c->count && term != NULL; k++) {
         const struct cagd_root *r = &c->root[k];
         int outside = cagd_equal_q(r->lo, r->hi) && !cagd_is_inside(domain, r->lo);
         terms[k] = cagd_poly_degree(r->factor) + 1;
-        if (c->at[k] == CAGD_UNDECIDED || (!c->empty[k] && c->cell[k] == CAGD_UNDECIDED) || count + terms[k] > MOST_TERMS)
+        if (c->at[k] == CAGD_UNDECIDED || (!c->empty[k] && c->cell[k] == CAGD_UNDECIDED) ||
+            count + terms[k] > MOST_TERMS)
             return 0;
         for (int i = 0; i < terms[k]; i++)
             term[count++] = constant_node(cagd_poly_coefficient(r->factor, i));
@@ -211,6 +214,21 @@ static void collect_outside(cagd_run *r, const cagd_binding *other, cagd_constra
     collect(r, one, other != NULL ? other->key : NULL);
 }
 
+/* Whether a denominator is never 0, unless for values of the parameter. */
+static int is_denominator_of_parameter(const cagd_context *c, num_f m, const cagd_binding *parameter)
+{
+    cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
+    num_q point[CAGD_MOST_UNKNOWNS];
+    int of[CAGD_MOST_UNKNOWNS], count = cagd_sides_of_known(c, side, of), unused;
+    num_f rest = m, factor = cagd_factor_of_parameter(rest, parameter->value.f);
+    while (!is_constant_f(factor, NULL) && region_faults == 0) {
+        rest = div_f(rest, factor);
+        factor = cagd_factor_of_parameter(rest, parameter->value.f);
+    }
+    return cagd_positive_in_box(rest, 1, count, side, point, &unused) == CAGD_HOLDS ||
+           cagd_positive_in_box(neg_f(rest), 1, count, side, point, &unused) == CAGD_HOLDS;
+}
+
 /* Its value must not be a pole of d or of a divisor. */
 cagd_answer cagd_collected(cagd_run *r, cagd_context *c, cagd_relation relation, cagd_value d)
 {
@@ -223,17 +241,26 @@ cagd_answer cagd_collected(cagd_run *r, cagd_context *c, cagd_relation relation,
     if (into->count + 3 + c->divisors >= MOST_CONSTRAINTS)
         return cagd_note_undecided(r, c, "too many cases");
     num_f f = cagd_in_field(d);
-    cagd_constraint one = constraint_of(relation, f);
+    cagd_constraint one = constraint_of(relation, f),
+                    pole = {.p = cagd_denominator_f(f), .demand = CAGD_ZERO, .or_next = 1};
     if (!find_other(r, c, 1, &one, &other))
         return CAGD_UNDECIDED;
+    /* Poles are left out, as where it is checked: those of > and < here, the others satisfy it. */
+    if (one.demand == CAGD_MORE_THAN_ZERO && !is_denominator_of_parameter(c, pole.p, parameter)) {
+        const cagd_binding *of_pole;
+        if (!find_other(r, c, 0, &pole, &of_pole))
+            return CAGD_UNDECIDED;
+        collect_outside(r, of_pole, pole);
+        r->unnoted = 1;
+    }
     collect_outside(r, other, one);
     if (relation != CAGD_EQUAL)
         collect_poles(r, cagd_denominator_f(f), parameter);
     note(into,
-         relation == CAGD_EQUAL            ? NOTED_EQUAL
-         : relation == CAGD_NOT_EQUAL      ? NOTED_NOT_EQUAL
+         relation == CAGD_EQUAL             ? NOTED_EQUAL
+         : relation == CAGD_NOT_EQUAL       ? NOTED_NOT_EQUAL
          : one.demand == CAGD_AT_LEAST_ZERO ? NOTED_AT_LEAST
-                                           : NOTED_MORE,
+                                            : NOTED_MORE,
          d, parameter->value.f, &one.t, other != NULL);
     for (int i = 0; into->poles && i < c->divisors; i++)
         if (collect_poles(r, c->divisor[i], parameter))
@@ -249,21 +276,6 @@ struct literal {
     const cagd_binding *other;
     int has_poles;
 };
-
-/* Whether a denominator is never 0, unless for values of the parameter. */
-static int is_denominator_of_parameter(const cagd_context *c, num_f m, const cagd_binding *parameter)
-{
-    cagd_side_of_box side[CAGD_MOST_UNKNOWNS];
-    num_q point[CAGD_MOST_UNKNOWNS];
-    int of[CAGD_MOST_UNKNOWNS], count = cagd_sides_of_known(c, side, of), unused;
-    num_f rest = m, factor = cagd_factor_of_parameter(rest, parameter->value.f);
-    while (!is_constant_f(factor, NULL) && region_faults == 0) {
-        rest = div_f(rest, factor);
-        factor = cagd_factor_of_parameter(rest, parameter->value.f);
-    }
-    return cagd_positive_in_box(rest, 1, count, side, point, &unused) == CAGD_HOLDS ||
-           cagd_positive_in_box(neg_f(rest), 1, count, side, point, &unused) == CAGD_HOLDS;
-}
 
 static int read_literal(cagd_run *r, cagd_context *c, const cagd_tree *t, struct literal *out)
 {
@@ -326,6 +338,11 @@ static void find(const cagd_scope *scope, const cagd_tree *statement, const char
     *out = (cagd_found){.why = "there was no memory for it"};
     if (f == NULL || into == NULL)
         return;
+    if ((out->where = cagd_is_beyond_bounds(scope, statement)) != NULL) {
+        out->why = CAGD_BEYOND_BOUNDS;
+        *all = 0;
+        return;
+    }
     *f = (cagd_finding){0};
     *into = (struct cagd_collection){.poles = poles, .noted = noted};
     const cagd_tree *clauses = cagd_in_clauses(statement);
@@ -359,6 +376,7 @@ static void find(const cagd_scope *scope, const cagd_tree *statement, const char
         cagd_trace_resume();
     }
     *all = !r.unnoted;
+    out->leaves_out_poles = f->leaves_out_poles;
     if (!out->known && out->why == NULL)
         out->why = "too many numbers where it may change, or too many variables";
     region_faults = 0;

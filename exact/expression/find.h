@@ -15,6 +15,7 @@ typedef struct cagd_found {
     long cases;
     cagd_side_of_box domain;
     cagd_cells cells;
+    int leaves_out_poles; /* it is said of where both sides are defined */
     int wholes;
     const char *name_of_witness[CAGD_MOST_CUTS + 1]; /* of which name cells.witness is a value, or NULL */
     cagd_given breaking[CAGD_MOST_CUTS + 1][8];

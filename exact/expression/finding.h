@@ -44,7 +44,8 @@ typedef struct cagd_finding {
     const char *name[CAGD_MOST_UNKNOWNS];
     int for_every; /* it was proved for every number of a range without end: the first ones, and by `every`  */
     cagd_every every;
-    int changes, noticed; /* ways in which the statement was changed (change.h), and how many of them fail      */
+    int changes, noticed,
+        open; /* ways in which the statement was changed (change.h), how many of them fail, and how many are not decided */
     int says_nothing;     /* it holds however it is changed, or by its form alone (vacuous.h)                  */
     int leaves_out_poles; /* said of where both sides are defined: there are values where one is not     */
     cagd_sums_met sums;   /* those without terms are over nothing in every case                             */

@@ -23,7 +23,8 @@ static const struct {
 /* Formulas may stand in these, but they are not read. */
 static const char *const not_read[] = {"empheq", "darray", "mathpar"};
 
-/* Inside of a formula these set it on several lines and mean nothing. */
+/* Inside of a formula these set it on several lines.  Where they stand at its beginning they are kept, as its rows (read_rows.h), but for the last one; elsewhere they
+ * mean nothing. */
 static const char *const settings[] = {"split", "aligned", "gathered", "alignedat", "multlined"};
 
 /* For the page, with a group behind it, which is left out with it; without one; and what stands for it. */
@@ -55,6 +56,7 @@ struct row {
     const char *label, *tag;
     cagd_latex_note note[CAGD_LATEX_MOST_NOTES];
     int notes, at, is_definition;
+    int columns, has_own_column; /* columns: so many & outside of all; before the first one something stands */
 };
 
 static int is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -275,10 +277,29 @@ static void end_formula(struct source *s, struct row *r)
     }
 }
 
+/* Whether the row is a formula though it begins with a sign: -x &= 0, and where it and the one before have labels of their own. */
+static int is_signed_formula(const struct row *before, const struct row *r)
+{
+    const cagd_latex_text *t = &r->text;
+    const int k = behind_blanks(t, 0);
+    int has_relation = 0;
+    if (k == t->size || (t->bytes[k] != '+' && t->bytes[k] != '-'))
+        return 0;
+    for (int m = k, next; m < t->size && !has_relation; m = next) {
+        static const char *const words[] = {"\\le", "\\leq", "\\ge", "\\geq", "\\ne", "\\neq", "\\equiv"};
+        next = behind_word(t, m);
+        has_relation = strchr("=<>", t->bytes[m]) != NULL || IS_ONE_OF(t, m, next, words);
+    }
+    return has_relation && (r->columns > 0 ? r->has_own_column : before->label != NULL && r->label != NULL);
+}
+
 /* A row ended: it goes on with the one before, or that one is a formula. */
 static void end_row(struct source *s, struct row *before, int *has_before, struct row *r, int at)
 {
-    if (*has_before && (goes_on(&r->text) || is_empty(&r->text))) {
+    if (*has_before && (is_empty(&r->text) || (goes_on(&r->text) && !is_signed_formula(before, r)))) {
+        if (before->label != NULL && r->label != NULL)
+            cagd_latex_remark(s->out, r->at, r->at + 1,
+                              "this row goes on with the formula before it: its label names none");
         for (int k = 0; k < r->text.size; k++)
             cagd_latex_put(&before->text, r->text.bytes[k], r->text.from[k]);
         before->label = before->label != NULL ? before->label : r->label;
@@ -354,8 +375,17 @@ static int special_word(struct source *s, struct row *r, int a, int b, int stop)
     return a;
 }
 
+static int is_empty(const cagd_latex_text *t);
+
+/* What is kept is in inside[] with a sign before its name, so that it is no setting. */
+static void keep_inside(char inside[LONGEST_NAME])
+{
+    memmove(inside + 1, inside, LONGEST_NAME - 2);
+    inside[0] = '=', inside[LONGEST_NAME - 1] = '\0';
+}
+
 /* \begin{split} and \end{split} inside of a formula are passed over, others kept; what encloses what follows is in inside[]. */
-static int inner_environment(const cagd_latex_text *t, int k, char inside[][LONGEST_NAME], int *depth)
+static int inner_environment(const cagd_latex_text *t, int k, struct row *r, char inside[][LONGEST_NAME], int *depth)
 {
     char name[LONGEST_NAME];
     int a, b, end = environment(t, k, "\\begin", name);
@@ -363,6 +393,12 @@ static int inner_environment(const cagd_latex_text *t, int k, char inside[][LONG
         memcpy(inside[(*depth)++], name, sizeof name);
         if (!is_setting(name))
             return k;
+        if (*depth == 1 && is_empty(&r->text) && strcmp(name, "multlined") != 0) {
+            keep_inside(inside[0]);
+            for (int m = k; m < end; m++)
+                cagd_latex_put(&r->text, t->bytes[m], t->from[m]);
+            return group(t, end, t->size, '[', ']', &a, &b);
+        }
         end = group(t, end, t->size, '[', ']', &a, &b);
         return strcmp(name, "alignedat") == 0 ? group(t, end, t->size, '{', '}', &a, &b) : end;
     }
@@ -371,24 +407,6 @@ static int inner_environment(const cagd_latex_text *t, int k, char inside[][LONG
         return k;
     --*depth;
     return is_setting(inside[*depth]) ? end : k;
-}
-
-/* \left\{\begin{array}{l} where nothing stands before it: rows of formulas; behind it, or k. */
-static int behind_brace_of_array(const cagd_latex_text *t, int k, const struct row *r, char inside[][LONGEST_NAME],
-                                 int *depth)
-{
-    static const char *const left = "\\left\\{";
-    char name[LONGEST_NAME];
-    int at = begins(t, k, left) ? k + (int)strlen(left) : k, a, b, m = 0;
-    while (m < r->text.size && is_blank(r->text.bytes[m]))
-        m++;
-    while (at > k && at < t->size && is_blank(t->bytes[at]))
-        at++;
-    int end = at > k && m == r->text.size ? environment(t, at, "\\begin", name) : at;
-    if (end <= at || strcmp(name, "array") != 0 || *depth == MOST_NESTED)
-        return k;
-    memcpy(inside[(*depth)++], "aligned", sizeof "aligned");
-    return group(t, end, t->size, '{', '}', &a, &b);
 }
 
 /* The brace around such an environment, \left\{ and \right.: behind it; k where there is none. */
@@ -558,10 +576,10 @@ static void read_body(struct source *s, int k, int stop, enum rows rows)
             continue;
         }
         braces += (c == '{') - (c == '}');
+        if (c == '&' && depth == 0 && r.columns++ == 0)
+            r.has_own_column = !is_empty(&r.text);
         int outside = depth;
-        int end = c == '\\' && next > k + 2 ? inner_environment(t, k, inside, &depth) : k;
-        if (end == k && c == '\\')
-            end = behind_brace_of_array(t, k, &r, inside, &depth);
+        int end = c == '\\' && next > k + 2 ? inner_environment(t, k, &r, inside, &depth) : k;
         if (end == k && c == '\\')
             end = behind_brace_of_rows(t, k);
         if (end == k && c == '\\')

@@ -493,12 +493,27 @@ static int behind_verb(const struct slice *t, int k)
     return end != NULL ? (int)(end - t->s) + 1 : t->n;
 }
 
+/* \iffalse ... \fi, with others inside: behind it. */
+static int behind_fi(const struct slice *t, int k)
+{
+    for (int next, depth = 1; k < t->n; k = next) {
+        next = t->s[k] == '%' ? behind_comment(t, k) : behind_token(t, k);
+        depth += next - k > 3 && memcmp(t->s + k, "\\if", 3) == 0;
+        depth -= is_word(t, k, next, "\\fi");
+        if (depth == 0)
+            return next;
+    }
+    return t->n;
+}
+
 /* The command at a..b; what is behind it and what it takes. */
 static int expand_command(struct expansion *x, const struct slice *t, int a, int b, int depth)
 {
     int end = definition(x, t, a, b);
     if (end > 0)
         return end;
+    if (is_word(t, a, b, "\\iffalse"))
+        return behind_fi(t, b);
     if (depth == 0 && is_word(t, a, b, "\\verb"))
         return behind_verb(t, b);
     if (depth == 0 && is_word(t, a, b, "\\begin") && (end = behind_verbatim(t, a)) > 0)

@@ -9,6 +9,7 @@
 #include "exact/expression/find.h"
 #include "exact/expression/irrational.h"
 #include "exact/expression/refute.h"
+#include "exact/expression/sign.h"
 #include "exact/expression/suppose.h"
 #include "exact/record/trace.h"
 #include "exact/words.h"
@@ -292,11 +293,15 @@ static int is_false_for_numbers(cagd_run *r, const cagd_part *p, const cagd_cont
 
 /* ---- one part -------------------------------------------------------------------------------------------- */
 
-/* Whether some divisor may be 0: it is not seen that it cannot. */
-static int divides_by_0(cagd_context *c)
+/* Whether some divisor may be 0: it is not seen that it cannot.  Those of a parameter alone are looked at with that (find.h). */
+static int divides_by_0(const cagd_run *r, cagd_context *c)
 {
+    const cagd_binding *parameter = r->into != NULL ? cagd_binding_of(c, r->parameter) : NULL;
     int can_be_zero = 0;
     for (int i = 0; i < c->divisors && !can_be_zero; i++) {
+        if (parameter != NULL &&
+            is_constant_f(div_f(c->divisor[i], cagd_factor_of_parameter(c->divisor[i], parameter->value.f)), NULL))
+            continue;
         can_be_zero = (cagd_signs(c, cagd_value_f(c->divisor[i])) & CAGD_CAN_BE_ZERO) != 0 || region_faults != 0;
         region_faults &= FAULT_MEMORY | FAULT_CROWDED;
     }
@@ -375,8 +380,8 @@ cagd_answer cagd_decide_part(cagd_run *r, const cagd_part *p)
     r->out->one_sided |= c->one_sided;
     for (int k = 0; k < c->sums.count; k++)
         cagd_note_sum(&r->out->sums, c->sums.sum[k], c->sums.had_terms[k]);
-    if (answer == CAGD_HOLDS && r->into == NULL && !r->quick && !r->out->leaves_out_poles)
-        r->out->leaves_out_poles = divides_by_0(c);
+    if (answer == CAGD_HOLDS && !r->quick && !r->out->leaves_out_poles)
+        r->out->leaves_out_poles = divides_by_0(r, c);
     note_names(r->out, c);
     return answer == CAGD_FAILS ? answer : cagd_worse(answer, decide_apart(r, p, c));
 }

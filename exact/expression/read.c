@@ -320,6 +320,8 @@ static int is_alone_in_brackets(const cagd_reader *r, const cagd_tree *a)
         return 0;
     if (a->kind == CAGD_NAME && a->count == 0 && !cagd_is_bare_function(r, a))
         return 1;
+    if (a->kind == CAGD_QUOTIENT) /* [n/2] */
+        return cagd_is_of_whole_numbers(r, a->at[0], &has_name) && cagd_is_of_whole_numbers(r, a->at[1], &has_name);
     return a->kind != CAGD_PRODUCT && cagd_is_of_whole_numbers(r, a, &has_name);
 }
 
@@ -1047,6 +1049,11 @@ const cagd_tree *cagd_read_product_in(cagd_reader *r, cagd_tree_kind inside, con
         if (may_be_arguments(r, list[count - 1]))
             return cagd_refuse_token(r, "arguments of %s, or a factor? write round brackets, or \\cdot between",
                                      cagd_spelled(list[count - 1]->head));
+        if ((list[count - 1]->kind == CAGD_DERIVATIVE ||
+             (list[count - 1]->kind == CAGD_NAME && list[count - 1]->order > 0 && list[count - 1]->arguments > 0)) &&
+            cagd_next_is(r, "(") && r->token[1].kind == CAGD_TOKEN_NUMBER && strcmp(r->token[2].word, ")") == 0)
+            return cagd_refuse_token(
+                r, "is the number where the derivative is taken, or a factor? write f'(2), |_{t=2}, or \\cdot");
         if (is_cross && cagd_next_is(r, "\\times"))
             return cagd_refuse_token(
                 r, "a \\times b \\times c is (a \\times b) \\times c or a \\times (b \\times c): write brackets");
@@ -1303,7 +1310,8 @@ static int goes_on_behind_space(const cagd_reader *r)
 const cagd_tree *cagd_read_conditions(cagd_reader *r)
 {
     const cagd_tree *list[CAGD_MOST_CHILDREN];
-    int count = 0, from = r->token->from, more, by_sign = 1, by_word = 0, comma = -1; /* by_sign: by \land alone */
+    int count = 0, from = r->token->from, more, by_sign = 1, by_word = 0, behind_row = 0,
+        comma = -1; /* by_sign: by \land alone */
     unsigned long long asked = 0;
     do {
         const cagd_tree *t = cagd_share_bounds(r) ? cagd_read_condition(r) : NULL;
@@ -1321,7 +1329,8 @@ const cagd_tree *cagd_read_conditions(cagd_reader *r)
         int by_space = goes_on_behind_space(r);
         more = by_space || cagd_pass(r, ",") || cagd_pass(r, ";") || cagd_pass(r, "\\land");
         const char *words = cagd_read_words(r);
-        by_word = words != NULL || here->word[0] == ';' || here->kind == CAGD_TOKEN_ROW;
+        behind_row |= here->kind == CAGD_TOKEN_ROW;
+        by_word = words != NULL || here->word[0] == ';' || behind_row;
         if (words != NULL &&
             (strcmp(words, "and") == 0 || strcmp(words, "and all") == 0 || strcmp(words, "and for all") == 0))
             more = 1;

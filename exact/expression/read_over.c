@@ -65,13 +65,13 @@ static const cagd_definition *bare_function(const cagd_reader *r, const cagd_tre
 }
 
 /* Whether t changes with the letter: it has it, by itself or in a definition, or a function of it without its arguments. */
-static int changes_with(const cagd_reader *r, const cagd_tree *t, const char *letter)
+static int is_changed_by(const cagd_reader *r, const cagd_tree *t, const char *letter)
 {
     const cagd_definition *d = bare_function(r, t);
     if (d != NULL && cagd_tree_has(d->left, letter))
         return 1;
     for (int k = 0; k < t->count; k++)
-        if (changes_with(r, t->at[k], letter))
+        if (is_changed_by(r, t->at[k], letter))
             return 1;
     return cagd_tree_has(t, letter) || cagd_depends_on(r->scope, t, letter);
 }
@@ -88,7 +88,7 @@ static int has_function(const cagd_reader *r, const cagd_tree *t)
 /* \frac{d}{dt} f(0), which is 0: nobody writes that of a function. */
 static int refuse_constant(cagd_reader *r, const cagd_tree *body, struct by by)
 {
-    if (by.name != NULL || changes_with(r, body, by.head) || !has_function(r, body))
+    if (by.name != NULL || is_changed_by(r, body, by.head) || !has_function(r, body))
         return 0;
     cagd_refuse_tree(
         r, body,
@@ -116,6 +116,64 @@ static const cagd_tree *derivative_at(cagd_reader *r, const cagd_tree *body, str
     *f = *body;
     f->at = at, f->order += (int)order;
     return cagd_read_primed_group(r, f);
+}
+
+/* Whether everything from `first` up to the next token stands in one pair of brackets. */
+static int is_in_brackets(const cagd_reader *r, const cagd_token *first)
+{
+    int depth = 0;
+    for (const cagd_token *t = first; t < r->token; t++) {
+        const char last = t->word[strlen(t->word) - 1];
+        depth += (strchr("([{", last) != NULL) - (strchr(")]}", last) != NULL);
+        if (depth == 0)
+            return t > first && t + 1 == r->token;
+    }
+    return 0;
+}
+
+static int has_letter(const cagd_reader *r, const cagd_tree *t, const char *letter)
+{
+    return cagd_tree_has(t, letter) || cagd_depends_on(r->scope, t, letter);
+}
+
+static int has_tree(const cagd_tree *t, const cagd_tree *part)
+{
+    int has = cagd_tree_equal(t, part);
+    for (int k = 0; k < t->count && !has; k++)
+        has = has_tree(t->at[k], part);
+    return has;
+}
+
+/* Whether t changes with the letter, or the name with an index, that stands below. */
+static int depends_on_what(const cagd_reader *r, const cagd_tree *t, const struct by *by)
+{
+    if (by->name == NULL)
+        return has_letter(r, t, by->head);
+    int is = has_tree(t, by->name) ||
+             (t->kind == CAGD_NAME && cagd_defined(r->scope, t->head) != NULL && has_letter(r, t, by->head));
+    for (int k = 0; k < t->count && !is; k++)
+        is = depends_on_what(r, t->at[k], by);
+    return is;
+}
+
+/* d/dt f(t) g(t), of which nobody knows whether g is derived; the first token of the product being `first`. */
+static int refuse_second_factor(cagd_reader *r, const cagd_token *first, const cagd_tree *body, const struct by by[],
+                                int count)
+{
+    int found = 0;
+    if (body == NULL || is_in_brackets(r, first) || (body->count > 0 && body->at[body->count - 1]->kind == CAGD_AT) ||
+        (body->kind != CAGD_PRODUCT && body->kind != CAGD_DOT && body->kind != CAGD_CROSS))
+        return 0;
+    for (int k = 0; k < body->count; k++) {
+        int has = 0;
+        for (int m = 0; m < count; m++)
+            has |= depends_on_what(r, body->at[k], &by[m]);
+        if (has && found++ > 0)
+            return cagd_refuse_tree(r, body->at[k],
+                                    "is this factor derived as well, or does it stand behind the derivative? write "
+                                    "brackets") == NULL;
+    }
+    return 0;
 }
 
 static const cagd_tree *derivative_of(cagd_reader *r, int from, const cagd_tree *body, struct by by)
@@ -157,8 +215,9 @@ static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tr
         return cagd_refuse_token(r, "the orders above and below are not the same");
     if (!cagd_expect(r, "}", "the derivative") || (body != NULL && cagd_refuse_argument(r, body)))
         return NULL;
-    if (body == NULL)
-        body = cagd_read_product(r);
+    const cagd_token *start = r->token;
+    if (body == NULL && refuse_second_factor(r, start, body = cagd_read_product(r), by, count))
+        return NULL;
     while (body != NULL && count > 0)
         body = derivative_of(r, from, body, by[--count]);
     return body;
@@ -166,17 +225,15 @@ static const cagd_tree *mixed_derivative(cagd_reader *r, int from, const cagd_tr
 
 /* Of d/dt f(t)|_{t=a}, read as the derivative of f(a), the value at a of the derivative of f(t), which is meant; so of several places,
  * |_{s=a, t=b}.  `t` is the derivative. */
-static const cagd_tree *value_behind(cagd_reader *r, cagd_tree *t, const char *head)
+static const cagd_tree *value_behind(cagd_reader *r, cagd_tree *t)
 {
     const cagd_tree *place[CAGD_MOST_INDICES], *last = t != NULL ? t->at[0] : NULL;
-    int places = 0, meant = 0, is_product = last != NULL && last->kind == CAGD_PRODUCT;
+    int places = 0, is_product = last != NULL && last->kind == CAGD_PRODUCT;
     if (is_product)
         last = last->at[last->count - 1];
-    for (; last != NULL && last->kind == CAGD_AT && places < CAGD_MOST_INDICES; last = last->at[0]) {
-        meant |= strcmp(last->head, head) == 0;
+    for (; last != NULL && last->kind == CAGD_AT && places < CAGD_MOST_INDICES; last = last->at[0])
         place[places++] = last;
-    }
-    if (!meant)
+    if (places == 0)
         return t;
     if (is_product)
         return cagd_refuse_tree(
@@ -197,6 +254,7 @@ static const cagd_tree *value_behind(cagd_reader *r, cagd_tree *t, const char *h
 /* d^k f / d t^k, the brace of the numerator being passed, if it has braces; the body f may follow the fraction. */
 static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
 {
+    const int is_partial = cagd_next_is(r, "\\partial");
     r->token += cagd_differential(r, r->token);
     const cagd_tree *order = NULL, *body = NULL;
     if (cagd_pass(r, "^") && (order = cagd_read_argument(r, 1)) == NULL)
@@ -224,12 +282,15 @@ static const cagd_tree *derivative(cagd_reader *r, int from, int braces)
     if (body != NULL && cagd_refuse_argument(r, body))
         return NULL;
     int follows = body == NULL;
-    if (follows)
-        body = cagd_read_product(r);
+    const cagd_token *start = r->token;
+    if (follows && refuse_second_factor(r, start, body = cagd_read_product(r), &by, 1))
+        return NULL;
     if (by.order == NULL)
         by.order = cagd_tree_number(1, from, from);
     cagd_tree *t = (cagd_tree *)derivative_of(r, from, body, by);
-    return follows && by.name == NULL ? value_behind(r, t, by.head) : t;
+    if (t != NULL)
+        t->order = is_partial;
+    return follows && by.name == NULL ? value_behind(r, t) : t;
 }
 
 const cagd_tree *cagd_read_fraction(cagd_reader *r, int from)
@@ -301,7 +362,7 @@ struct range {
     const char *head[CAGD_MOST_INDICES];
     const cagd_tree *low[CAGD_MOST_INDICES], *high[CAGD_MOST_INDICES], *end;
     const cagd_tree *condition[MOST_CONDITIONS];
-    int conditions;
+    int conditions, between; /* between: written as low \le i \le high */
     struct cagd_bound bound[CAGD_MOST_INDICES];
 };
 
@@ -383,6 +444,7 @@ static const cagd_tree *name_of_index(cagd_reader *r, const char *head)
 static int between_ends(cagd_reader *r, struct range *a)
 {
     int strict, first = 1;
+    a->between = 1;
     const cagd_tree *low = cagd_read_sum(r);
     if (low == NULL || !pass_less(r, &strict))
         return 0;
@@ -507,6 +569,32 @@ static int is_over_a_number(const cagd_reader *r)
     return is;
 }
 
+/* Whether the letter is an index of a name, or stands in one. */
+static int is_index_of_name(const cagd_tree *t, const char *letter)
+{
+    for (int k = 0; k < t->count; k++)
+        if ((t->kind == CAGD_NAME && k < t->lower + t->upper && cagd_tree_has(t->at[k], letter)) ||
+            is_index_of_name(t->at[k], letter))
+            return 1;
+    return 0;
+}
+
+/* Behind the factors with the index of a product, or of a greatest value, may stand others, which nobody knows to be inside or behind it. */
+static int refuse_factor_behind(cagd_reader *r, const cagd_token *first, const cagd_tree *body, const struct range *a,
+                                const char *sign)
+{
+    int last = -1;
+    if (body->kind != CAGD_PRODUCT || is_in_brackets(r, first))
+        return 0;
+    for (int k = 0; k < body->count; k++)
+        for (int m = 0; m < a->count; m++)
+            if (has_letter(r, body->at[k], a->head[m]))
+                last = k;
+    return last >= 0 && last + 1 < body->count &&
+           cagd_refuse_tree(r, body->at[last + 1], "does this stand inside the %s, or behind it? write brackets",
+                            sign) == NULL;
+}
+
 static const cagd_tree *over_one(cagd_reader *r, cagd_tree_kind kind, int from, const char *head,
                                  const cagd_tree *const ends[2], const cagd_tree *body, int conditions,
                                  const cagd_tree *const condition[])
@@ -554,8 +642,21 @@ const cagd_tree *cagd_read_over(cagd_reader *r, cagd_tree_kind kind, int from)
     }
     const struct cagd_bound *outside = r->bound;
     bind_all(r, &a);
+    const cagd_token *first = r->token;
     const cagd_tree *body = cagd_read_product_in(r, kind, a.head[0]);
     r->bound = outside;
+    if (body != NULL && kind != CAGD_SUM_OVER && refuse_factor_behind(r, first, body, &a, sign))
+        return NULL;
+    for (int k = 0; k < a.count && body != NULL && is_extremum && a.between; k++)
+        if (!cagd_is_usual_index(a.head[k]) && !is_index_of_name(body, a.head[k])) {
+            r->token = start;
+            return cagd_refuse_token(
+                r,
+                "is %s a whole number here? of all real ones no greatest value is computed: say "
+                "f(%s) \\le c for all, and where f(%s) = c; for whole numbers write %s = 0 below and "
+                "the last one above",
+                a.head[k], a.head[k], a.head[k], a.head[k]);
+        }
     int conditions = a.conditions; /* they are of all indices, and stand with the innermost */
     for (int k = a.count - 1; k >= 0 && body != NULL; k--, conditions = 0)
         body =

@@ -253,6 +253,15 @@ static int suppose_between(cagd_reader *r, cagd_scope *scope, const cagd_tree *n
 
 /* x, y, P_i \in SET, or P_0, P_1, \dots, P_n \in SET.  -1: it is no such thing; then *listed is what was wrong behind a comma.  A number that has bounds by
  * this list, which began with the scope `began`, keeps them. */
+/* Whether it was declared in this list of ranges, or in an earlier line of this block of meanings: what was declared before it is replaced. */
+static int is_of_this_place(const cagd_scope *scope, const cagd_scope *began, const cagd_variable *declared)
+{
+    for (const cagd_variable *v = scope->in_block ? scope->block : began->variables; v != NULL; v = v->next)
+        if (v == declared)
+            return 0;
+    return 1;
+}
+
 static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, cagd_reading_error *listed)
 {
     const cagd_tree *name[CAGD_MOST_CHILDREN];
@@ -287,6 +296,12 @@ static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, 
     for (int k = 0; k < count && read; k++) {
         const cagd_variable *before = cagd_declared(scope, name[k]->head);
         cagd_variable w = v;
+        const int is_of_here = before != NULL && is_of_this_place(scope, began, before);
+        if (v.low != NULL && !v.whole && name[k]->count == 0 && is_of_here && !before->whole &&
+            ((before->low != NULL && before->low->from != v.low->from) ||
+             (before->low == NULL && before->high != NULL)))
+            return cagd_refuse_tree(r, name[k], "%s has bounds already: write one range for it",
+                                    cagd_spelled(name[k]->head)) != NULL;
         if (v.low != NULL && !v.whole && is_one_of_many(name[k])) {
             if ((before == NULL && !declare(r, scope, name[k], (cagd_variable){0})) || !declare_one(scope, name[k], v))
                 return 0;
@@ -303,7 +318,7 @@ static int elements(cagd_reader *r, cagd_scope *scope, const cagd_scope *began, 
         if (v.whole && before != NULL && before->low != NULL) /* n \ge 1, n \in \mathbb{N} */
             w = *before, w.whole = 1, w.real = 0;
         if (v.real && v.low == NULL && v.high == NULL && v.dimension == 0 && before != NULL && !before->whole &&
-            before != cagd_declared(began, name[k]->head)) /* 0 \le x \le 1, x \in \mathbb{R} */
+            is_of_here) /* 0 \le x \le 1, x \in \mathbb{R} */
             w = *before, w.real = 1;
         if (!declare(r, scope, name[k], w))
             return 0;
@@ -434,9 +449,18 @@ static int numbers(cagd_reader *r, cagd_scope *scope)
         (name = cagd_with_given_indices(r, scope, name, &given)) == NULL)
         return 0;
     cagd_definition *d = cagd_define(scope, name);
-    if (d != NULL)
-        d->body = v.low, d->dimension = v.low->dimension, d->when = given;
-    return d != NULL;
+    if (d == NULL)
+        return 0;
+    d->body = v.low, d->dimension = v.low->dimension, d->when = given;
+    const cagd_variable *had = name->count == 0 ? cagd_declared(scope, name->head) : NULL;
+    if (had == NULL || had->whole || (had->low == NULL && had->high == NULL))
+        return 1;
+    const cagd_relation up[] = {had->low_open ? CAGD_LESS : CAGD_LESS_OR_EQUAL,
+                                had->high_open ? CAGD_LESS : CAGD_LESS_OR_EQUAL};
+    const cagd_tree *const ends[] = {had->low, name, had->high}; /* its bounds are those of its value */
+    const int first = had->low == NULL;
+    const cagd_tree *said = cagd_relate(r, name->from, first || had->high == NULL ? 2 : 3, ends + first, up + first);
+    return said != NULL && cagd_suppose(scope, said);
 }
 
 /* The end of what comes next, if it is a range of an index, j = 0, 1, \dots, i - 1, or a chain with a name without indices in it, u_i \le u < u_{i+1}: both may have
@@ -602,9 +626,10 @@ static int is_tighter(const cagd_tree *bound, int strict, const cagd_tree *befor
 {
     if (before == NULL)
         return 1;
-    if (bound->kind != CAGD_NUMBER || before->kind != CAGD_NUMBER)
+    cagd_num_q a, b;
+    if (!cagd_is_plain_number(bound, &a) || !cagd_is_plain_number(before, &b))
         return 0;
-    int order = cagd_compare_q(bound->number, before->number);
+    int order = cagd_compare_q(a, b);
     return (up ? order > 0 : order < 0) || (order == 0 && strict);
 }
 
@@ -624,6 +649,25 @@ static const cagd_tree *letter_without_meaning(const cagd_reader *r, const cagd_
     return found;
 }
 
+/* Where something is said of that letter that is no list of its numbers: i \ge 1, 1 \le i \le n, i \ne 0; NULL where nothing is. */
+static const cagd_token *said_of_letter(const cagd_reader *r, const char *letter)
+{
+    cagd_relation relation;
+    int depth = 0, behind_relation = 0;
+    for (cagd_reader at = *r; at.token->kind != CAGD_TOKEN_END; at.token++) {
+        const cagd_token *t = at.token;
+        depth += (strchr("({[", t->word[0]) != NULL) - (strchr(")}]", t->word[0]) != NULL);
+        cagd_reader next = at;
+        next.token++;
+        if (depth == 0 && strcmp(t->word, letter) == 0 && (t == r->token || strcmp(t[-1].word, "_") != 0) &&
+            (behind_relation || cagd_relation_next(&next, &relation) || strcmp(t[1].word, "\\in") == 0 ||
+             strcmp(t[1].word, "\\notin") == 0))
+            return t;
+        behind_relation = cagd_relation_next(&at, &relation);
+    }
+    return NULL;
+}
+
 /* u_i \le u_{i+1}, the letter i meaning nothing: for every index. */
 static const cagd_tree *for_every_index(cagd_reader *r, const cagd_scope *before, const cagd_tree *t)
 {
@@ -640,6 +684,12 @@ static const cagd_tree *for_every_index(cagd_reader *r, const cagd_scope *before
         if (all != NULL)
             all->to = t->to;
         return all;
+    }
+    const cagd_token *said = said_of_letter(r, letter->head);
+    if (said != NULL) {
+        r->token = said;
+        return cagd_refuse_token(r, "for which %s is this supposed? write a list behind it, such as %s = 1, \\dots, 4",
+                                 letter->head, letter->head);
     }
     cagd_tree *every = cagd_new(r, CAGD_EVERY_INDEX, t->from, 1);
     if (every != NULL)
@@ -735,7 +785,9 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
         if (cagd_refuse_degree(r, scope, p[which].tree, NULL))
             return 0;
         cagd_variable v, was;
-        const cagd_variable *old = declaration_of(before, p[which].tree, &was) ? &was : NULL;
+        cagd_scope place = *before;
+        place.variables = scope->in_block ? scope->block : before->variables;
+        const cagd_variable *old = declaration_of(&place, p[which].tree, &was) ? &was : NULL;
         declaration_of(scope, p[which].tree, &v);
         const cagd_variable *one =
             is_one_of_many(p[which].tree) ? NULL : one_of_those(scope, p[which].tree, before->variables);
@@ -750,7 +802,8 @@ static int chain(cagd_reader *r, cagd_scope *scope, const cagd_scope *before)
                 continue;
             int strict = is_strict(relation[k < which ? k : which]), below = (k < which) == up;
             const cagd_tree *bound = below ? v.low : v.high;
-            int is_replaced = !v.whole && old != NULL && bound == (below ? old->low : old->high);
+            int is_replaced = (!v.whole && old != NULL && bound == (below ? old->low : old->high)) ||
+                              (bound != NULL && bound->from == p[k].tree->from);
             replaces &= is_replaced || is_tighter(p[k].tree, strict, bound, below);
             if (below)
                 v.low = p[k].tree, v.low_open = strict;

@@ -266,6 +266,16 @@ static const cagd_token *reaching(const cagd_reader *r, const cagd_token *t, int
     return NULL;
 }
 
+/* Whether a condition in brackets, or with \in, stands behind the beginning of the row at t. */
+static int has_condition(const cagd_token *t)
+{
+    const cagd_token *first = t;
+    for (int groups = 0; t->kind != CAGD_TOKEN_END && t->kind != CAGD_TOKEN_ROW; groups += change_of_groups(t), t++)
+        if (groups == 0 && t > first && (is_word(t, "\\in") || is_word(t, "\\notin") || is_condition(t)))
+            return 1;
+    return 0;
+}
+
 static const cagd_token *end_of_row(const cagd_token *t)
 {
     while (t->kind != CAGD_TOKEN_END && t->kind != CAGD_TOKEN_ROW)
@@ -292,7 +302,7 @@ int cagd_are_read_apart(const cagd_reader *r)
     cagd_reader row;
     int is = 0;
     for (; end->kind == CAGD_TOKEN_ROW || (t != r->token && t->kind != CAGD_TOKEN_END); t = end, end = end_of_row(t)) {
-        is |= reaching(r, t, 0) != NULL || (open_row(r, t, end, &row) && cagd_row_has_range(&row));
+        is |= reaching(r, t, 0) != NULL || has_condition(t) || (open_row(r, t, end, &row) && cagd_row_has_range(&row));
         end += end->kind == CAGD_TOKEN_ROW;
     }
     return is;

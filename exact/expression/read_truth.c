@@ -277,12 +277,23 @@ int cagd_forall_of_names(const cagd_reader *r)
 static int pass_all_numbers_named(cagd_reader *r)
 {
     const cagd_token *here = r->token;
-    do
-        if (!cagd_begins_name(r) || cagd_read_name(r) == NULL)
+    const cagd_variable *bounded = NULL;
+    do {
+        const cagd_tree *name = cagd_begins_name(r) ? cagd_read_name(r) : NULL;
+        const cagd_variable *v = name != NULL ? cagd_declared(r->scope, name->head) : NULL;
+        if (name == NULL)
             break;
-    while (cagd_pass(r, ","));
-    if (r->error->message[0] == '\0' && (cagd_next_is(r, ":") || (cagd_pass(r, "\\in") && pass_all_numbers(r))))
+        bounded = v != NULL && (v->low != NULL || v->high != NULL) ? v : bounded;
+    } while (cagd_pass(r, ","));
+    if (r->error->message[0] == '\0' && cagd_next_is(r, ":"))
         return 1;
+    if (r->error->message[0] == '\0' && cagd_pass(r, "\\in") && pass_all_numbers(r)) {
+        if (bounded == NULL)
+            return 1;
+        r->token = here;
+        return cagd_refuse_token(r, "%s has bounds already: write \\forall %s: for these, or \\in \\mathbb{R} in :for:",
+                                 cagd_spelled(bounded->head), cagd_spelled(bounded->head)) != NULL;
+    }
     r->token = here;
     *r->error = (cagd_reading_error){0};
     return 0;

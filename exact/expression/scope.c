@@ -218,14 +218,15 @@ static int is_counted(const cagd_scope *scope, const cagd_tree *t, int k)
 static int is_index(const cagd_tree *t, int k) { return t->kind == CAGD_NAME && k < t->lower + t->upper; }
 
 /* A number as it stands, 1/2 or -3. */
-static int is_number(const cagd_tree *t, cagd_num_q *value)
+int cagd_is_plain_number(const cagd_tree *t, cagd_num_q *value)
 {
     cagd_num_q a, b;
     if (t->kind == CAGD_NUMBER)
         return *value = t->number, 1;
-    if (t->kind == CAGD_NEGATIVE && is_number(t->at[0], &a))
+    if (t->kind == CAGD_NEGATIVE && cagd_is_plain_number(t->at[0], &a))
         return *value = cagd_neg_q(a), 1;
-    if (t->kind != CAGD_QUOTIENT || !is_number(t->at[0], &a) || !is_number(t->at[1], &b) || cagd_sign_q(b) == 0)
+    if (t->kind != CAGD_QUOTIENT || !cagd_is_plain_number(t->at[0], &a) || !cagd_is_plain_number(t->at[1], &b) ||
+        cagd_sign_q(b) == 0)
         return 0;
     return *value = cagd_div_q(a, b), 1;
 }
@@ -265,7 +266,8 @@ static enum kind_of_number kind_of(const cagd_scope *scope, const cagd_variable 
 {
     static const char *const often_whole[] = {"p", "s", "d", "e", "P", "Q", "S", "D", NULL};
     cagd_num_q low, high;
-    int has_low = is_number(v->low, &low), has_high = v->high != NULL && is_number(v->high, &high);
+    int has_low = cagd_is_plain_number(v->low, &low),
+        has_high = v->high != NULL && cagd_is_plain_number(v->high, &high);
     int is_usual = cagd_is_usual_index(v->head);
     if ((has_low && !cagd_is_whole_q(low)) || (has_high && !cagd_is_whole_q(high)))
         return IS_REAL;
@@ -324,8 +326,8 @@ static int make_counted_whole(cagd_scope *scope, const cagd_tree *t, int counted
 {
     cagd_variable v;
     cagd_num_q q;
-    if (counted && may_become_whole(scope, t, &v) && (!is_number(v.low, &q) || cagd_is_whole_q(q)) &&
-        (v.high == NULL || !is_number(v.high, &q) || cagd_is_whole_q(q)))
+    if (counted && may_become_whole(scope, t, &v) && (!cagd_is_plain_number(v.low, &q) || cagd_is_whole_q(q)) &&
+        (v.high == NULL || !cagd_is_plain_number(v.high, &q) || cagd_is_whole_q(q)))
         return become_whole(scope, &v);
     for (int k = 0; k < t->count; k++)
         if (!make_counted_whole(scope, t->at[k], (counted && t->kind != CAGD_NAME) || is_counted(scope, t, k)))
@@ -359,7 +361,7 @@ static int begins_with(const cagd_scope *scope, const cagd_tree *t, const cagd_v
     const cagd_variable *found = t->kind == CAGD_NAME && t->count == 0 ? cagd_declared(scope, t->head) : NULL;
     cagd_num_q q;
     if (found == NULL || found->whole || found->real || found->low != NULL || found->high != NULL ||
-        !cagd_is_called_as_last(t->head) || k->low == NULL || !is_number(k->low, &q) || !cagd_is_whole_q(q))
+        !cagd_is_called_as_last(t->head) || k->low == NULL || !cagd_is_plain_number(k->low, &q) || !cagd_is_whole_q(q))
         return 0;
     *v = *found, v->low = k->low, v->low_open = k->low_open;
     return 1;

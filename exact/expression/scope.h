@@ -43,6 +43,8 @@ typedef struct cagd_scope {
     const cagd_variable *variables; /* the last declared first          */
     const cagd_tree **conditions;   /* what else is supposed            */
     int condition_count;
+    const cagd_variable *block; /* of a block of meanings that is being read (in_block): what was declared before it */
+    int in_block;
     int zero_over_zero;       /* whether 0/0 = 0 was said                     */
     const cagd_tree **labels; /* letters that as an index are part of the name: R_s */
     int label_count;
@@ -72,6 +74,8 @@ cagd_definition *cagd_define(cagd_scope *scope, const cagd_tree *left);
 int cagd_declare(cagd_scope *scope, cagd_variable v);
 /* Whether the letter is a whole number wherever it is an index with bounds: i, j, k, l, m, n, r. */
 int cagd_is_usual_index(const char *head);
+/* A number as it stands, 1/2 or -3. */
+int cagd_is_plain_number(const cagd_tree *t, cagd_num_q *value);
 /* Whether the letter is called as last indices are and running ones are not: n, m, N, M. */
 int cagd_is_called_as_last(const char *letter);
 /* Variables with a lower bound that are indices of names of the tree, ends of its sums, or stand below in binomial coefficients become whole

@@ -115,8 +115,28 @@ static void take_index(long index, long *low, long *high)
     *high = index > *high ? index : *high;
 }
 
+/* The index of u_0 = 0, and of u_n = 1, where n has a value. */
+static int index_of_definition(cagd_context *c, const cagd_definition *d, long *index)
+{
+    const cagd_tree *at = d->left->at[0], *when = d->when;
+    if (at->kind == CAGD_NUMBER)
+        return cagd_value_is_whole(cagd_value_q(at->number), index);
+    if (at->kind != CAGD_NAME || when == NULL || when->kind != CAGD_RELATION || when->count != 2 ||
+        when->relation[0] != CAGD_EQUAL || when->at[0]->kind != CAGD_NAME || strcmp(when->at[0]->head, at->head) != 0)
+        return 0;
+    const char *trouble = c->trouble;
+    const cagd_tree *where = c->where;
+    const unsigned faults = region_faults;
+    region_faults = 0;
+    cagd_value v = cagd_evaluate(c, when->at[1]);
+    int is = region_faults == 0 && cagd_value_is_whole(v, index);
+    region_faults = faults | (region_faults & (FAULT_MEMORY | FAULT_CROWDED));
+    c->trouble = trouble, c->where = where;
+    return is;
+}
+
 /* The least and the greatest index that any name of the tree has, of those that were met, and of those that have values of their own, u_0 = 0. */
-static void find_range(const cagd_context *c, const cagd_tree *t, long *low, long *high)
+static void find_range(cagd_context *c, const cagd_tree *t, long *low, long *high)
 {
     for (int k = 0; t->kind == CAGD_NAME && t->lower == 1 && k < c->count; k++) {
         long index;
@@ -126,8 +146,15 @@ static void find_range(const cagd_context *c, const cagd_tree *t, long *low, lon
     for (const cagd_definition *d = c->scope->definitions; t->kind == CAGD_NAME && t->lower == 1 && d != NULL;
          d = d->next) {
         long index;
-        if (strcmp(d->left->head, t->head) == 0 && d->left->count == 1 && d->left->at[0]->kind == CAGD_NUMBER &&
-            cagd_value_is_whole(cagd_value_q(d->left->at[0]->number), &index))
+        if (strcmp(d->left->head, t->head) == 0 && d->left->count == 1 && index_of_definition(c, d, &index))
+            take_index(index, low, high);
+    }
+    for (const cagd_variable *v = c->scope->variables; t->kind == CAGD_NAME && t->lower == 1 && v != NULL;
+         v = v->next) { /* and of those alone of which bounds are known, t_0 \ge 0 */
+        long index;
+        if (v->left != NULL && v->left->count == 1 && strcmp(v->left->head, t->head) == 0 &&
+            (v->low != NULL || v->high != NULL) && v->left->at[0]->kind == CAGD_NUMBER &&
+            cagd_value_is_whole(cagd_value_q(v->left->at[0]->number), &index))
             take_index(index, low, high);
     }
     for (int k = 0; k < t->count; k++)

@@ -31,7 +31,7 @@ typedef enum cagd_tree_kind {
     CAGD_PRODUCT_OVER,
     CAGD_MAXIMUM_OVER,
     CAGD_MINIMUM_OVER,
-    CAGD_DERIVATIVE,     /* [a, k]: k times by the variable `head`; [a, k, name]: by that name, with an index         */
+    CAGD_DERIVATIVE, /* [a, k]: k times by the variable `head`; [a, k, name]: by that name, with an index; partial: order 1 */
     CAGD_INTEGRAL,       /* [low, high, a] by the variable `head`                                                     */
     CAGD_AT,             /* [a, b]: a with b in the place of the variable `head`                                      */
     CAGD_POINT,          /* [x, y, ...]: a vector by its components, a matrix by its rows, one behind the other       */
