@@ -368,6 +368,16 @@ class Pages(unittest.TestCase):
         r = self.check(":functions: N_i(u)\n:for: i = 0..2, 0 \\le u \\le 1\n:::\n:::{basis} other\n:functions: b_i(t)\n:for: i = 0..2, 0 \\le t \\le 1", let=let)
         self.assertIn("the Bernstein basis       yes", r.stdout)
 
+    def test_single_values_that_are_not_decided_are_told(self):
+        """For k = 0 the functions are 0 and t, and every minor is at least 0, which the signs of Wronskians do not tell."""
+        def page(definitions, find="k"):
+            text = f":::{{let}}\nk \\in \\mathbb{{R}}\n{definitions}\n:::\n\n:::{{basis}} b\n:functions: b_i(t)\n:for: i = 0..1, 0 \\le t \\le 1\n" + (f":find: {find}\n" if find else "") + ":::\n"
+            r = subprocess.run([CAGD, "check", "--basis", "-"], input=text, capture_output=True, text=True, timeout=120)
+            return " ".join(r.stdout.split()), r.stderr
+        self.assertIn("totally positive no k (decided; undecided for k = 0)", page("b_0(t) = -k^2\nb_1(t) = t")[0])
+        self.assertIn("totally positive not decided: the functions are not independent", page("b_0(t) = 0\nb_1(t) = t", None)[0])
+        self.assertIn("defined k < −1 and k > 0 (decided)", page("b_0(t) = \\frac{1}{t+k}\nb_1(t) = 1 - \\frac{1}{t+k}")[0])
+
     def test_dependent_functions_are_found(self):
         r = self.check(":functions: c_i(t)\n:for: i = 0..2, 0 \\le t \\le 1", "--json", let="c_0(t) = 1\nc_1(t) = t\nc_2(t) = 1 + t")
         p = {p["property"]: p["verdict"] for p in json.loads(r.stdout)["bases"][0]["properties"]}

@@ -44,6 +44,166 @@ def check_standard(printed, ranges, let):
     return json.loads(r.stdout)["statements"][0]
 
 
+class Opponents(unittest.TestCase):
+    """What an opponent found: false statements that held, true ones that failed, and what nobody asked."""
+
+    def one(self, let, printed, ranges=None):
+        r = check(f":::{{let}}\n{let}\n:::\n:::{{statement}} s\n:printed: {printed}\n" + (f":for: {ranges}\n" if ranges else "") + ":::\n", "--json")
+        if r.returncode not in (0, 1):
+            return "asked: " + r.stderr.splitlines()[0].split(": ", 2)[2]
+        s = json.loads(r.stdout)["statements"][0]
+        return s["verdict"] if s["verdict"] != "undecided" else "undecided: " + s["reason"]
+
+    def answers(self, *cases):
+        for let, printed, ranges, expected in cases:
+            with self.subTest(printed=printed, ranges=ranges, let=let):
+                said = self.one(let, printed, ranges)
+                self.assertEqual(said[:len(expected)], expected)
+
+    def test_what_is_supposed_for_every_index_is_for_some(self):
+        for_which = "asked: for which i is this supposed?"
+        self.answers((r"a_i \le a_{i+1}, \quad i \ge 1", r"a_0 \le a_3", None, for_which),
+                     (r"a_i, b_i \in \mathbb{R}", r"a_0 \ge b_0", r"a_i \ge b_i, 1 \le i \le 3", for_which),
+                     (r"a_i \in \mathbb{R}", r"|a_0| \le 1", r"|a_i| \le 1, i \ne 0", for_which),
+                     (r"a_i \in \mathbb{R}", r"a_1 \le a_2", r"a_i \le a_{i+1}, i = 1, \dots, 3", "holds"),
+                     (r"a_i \in \mathbb{R}", r"a_1 \le a_6", r"a_i \le a_{i+1}, i = 1, \dots, 3", "fails"))
+
+    def test_bounds_by_neighbours_reach_names_with_values_and_with_bounds(self):
+        order = r"t_i \le t_{i+1}"
+        self.answers((order, r"t_1 \le 1", "n = 2, t_n = 1", "holds"), (order, r"t_3 \le 1", "n = 2, t_n = 1", "fails"),
+                     (order, r"t_0 \le t_2", "n = 2, t_n = 1", "holds"), (order, r"t_3 \ge 0", r"t_0 \ge 0", "holds"),
+                     (order, r"t_3 \ge 1", r"t_0 \ge 0", "fails"), (order, r"0 \le t_i \le 1", "n = 1..4, i = 0..n, t_0 = 0, t_n = 1", "holds"))
+
+    def test_bounds_that_are_there_already(self):
+        beyond = "undecided: the name has other bounds already"
+        self.answers((r"0 \le t \le 1", r"\forall t \in \mathbb{R}: t^2 \le t", None, "asked: t has bounds already"),
+                     (r"0 \le t \le 1", r"t^2 \le t, \quad -1 \le t \le 2", None, beyond), (r"0 \le t \le 1", r"t^2 \le t, \quad t \in [-1,2]", None, beyond),
+                     (r"0 \le t \le 1", r"\forall t \in [0,2]: t^2 \le t", None, beyond), (r"0 \le t \le 1", r"t^2 \le \frac{t}{2}, \quad t \in [0,1/2]", None, "holds"),
+                     (r"t \ge 0", r"t \ge -1 \Rightarrow t + 1 > 0", None, "holds"),
+                     ("w_i > 0\nw_i, x_i \\in \\mathbb{R}", r"w_1 + x_1^2 > 0", None, "holds"), ("x > 0\nx \\ge 0", r"x + 1 > 1", None, "holds"),
+                     ("x > 0\nx \\ge 2", r"x + 1 \ge 3", None, "holds"), (r"x \in \mathbb{R}", r"x \ge 0", r"x \in [0,1], x \in [-1,2]", "asked: x has bounds already"),
+                     (r"r \ge 0", r"r < 0", "r = -1", "undecided: what is supposed is never true"), (r"r \ge 0", r"r^2 = 1", "r = 1", "holds"))
+
+    def test_a_bound_of_a_name_that_stands_nowhere_else(self):
+        fails_if_said = "undecided: it fails if this is said, and not where it is supposed"
+        self.answers((r"x, y \in \mathbb{R}", r"x^2 \ge 0, \quad y \ge 0", None, fails_if_said), (r"x, y \in \mathbb{R}", r"x^2 \ge x, \quad x \ge 1", None, "holds"),
+                     (r"x, y \in \mathbb{R}", r"\begin{aligned} x^2 &\ge 0, & y &\ge 0 \end{aligned}", None, fails_if_said))
+
+    def test_factors_behind_a_derivative_and_behind_a_product(self):
+        let, derived, inside = "f(t) = t^2\ng(t) = t^3\nH(u,v) = u^2 v", "asked: is this factor derived as well", "asked: does this stand inside"
+        self.answers((let, r"\frac{d}{dt} f(t) \cdot \frac{d}{dt} g(t) = 6 t^3", None, derived), (let, r"\frac{d}{dt} f(t) g(t) = 5 t^4", None, derived),
+                     (let, r"\frac{\partial}{\partial u} H(u,v) \frac{\partial}{\partial v} H(u,v) = 2 u^3 v", r"u, v \in \mathbb{R}", derived),
+                     (let, r"\frac{d}{dt} (f(t) g(t)) = (\frac{d}{dt} f(t)) g(t) + f(t) \frac{d}{dt} g(t)", None, "holds"),
+                     (let, r"\frac{d}{dt} (f(t) g(t)) = (\frac{d}{dt} f(t)) g(t) - f(t) \frac{d}{dt} g(t)", None, "fails"),
+                     (let, r"\frac{d}{dt} 3 f(t) = 6 t", None, "holds"), (let, r"\frac{d f(t)}{dt}(2) = 4", None, "asked: is the number where the derivative is taken"),
+                     (let, r"f'(t)(1-t) = 2t - 2t^2", None, "holds"),
+                     (let, r"\sum_{i=0}^2 \prod_{j=0, j \ne i}^2 \frac{t-j}{i-j} i = t", None, inside), (let, r"\sum_{i=0}^2 i \prod_{j=0, j \ne i}^2 \frac{t-j}{i-j} = t", None, "holds"),
+                     (let, r"\prod_{i=1}^3 2 i = 48", None, "holds"), (let, r"\prod_{i=1}^3 (i f(t)) = 6 t^6", None, "holds"))
+
+    def test_greatest_values_and_whole_parts_are_asked_for(self):
+        whole = "asked: is x a whole number here?"
+        self.answers(("a_i \\in \\mathbb{R}", r"\min_{0 \le x \le 1} (2x-1)^2 = 1", None, whole), ("a_i \\in \\mathbb{R}", r"\max_{0 \le x \le 1} |x^2-x| = 0", None, whole),
+                     ("a_i \\in \\mathbb{R}", r"\max_{0 \le i \le 3} i(3-i) = 2", None, "holds"), ("a_i \\in \\mathbb{R}", r"\max_{0 \le p \le 2} a_p \ge a_1", None, "holds"),
+                     ("f(t) = t", r"\sum_{i=0}^{n} (1-(-1)^i) = 2 \left[ \frac{n+1}{2} \right]", "n = 1..6", "asked: is it a q-number, a whole part or a bracket?"),
+                     ("f(t) = t", r"\sum_{i=0}^{n} (1-(-1)^i) = 2 \lfloor \frac{n+1}{2} \rfloor", "n = 1..6", "holds"))
+
+    def test_conditions_of_the_last_row_are_of_that_row(self):
+        for condition in (r"\quad (x \ge 2)", r", & x \in [2,3]", r"\quad (|x-3| \le 1)", r", \quad x \notin (-2,2)", r", & x \ge 2"):
+            for rows in (r"\begin{aligned} x^2 &\ge 1 \\ x^2 + x^4 &\ge 5 @ \end{aligned}", r"\left\{\begin{array}{ll} x^2 \ge 1 \\ x^2 + x^4 \ge 5 @ \end{array}\right."):
+                with self.subTest(condition=condition, rows=rows):
+                    self.assertNotEqual(self.one(r"x \in \mathbb{R}", rows.replace("@", condition)), "holds")
+                    if "& x \\ge" not in condition:
+                        self.assertEqual(self.one(r"x \in \mathbb{R}", rows.replace("@", condition).replace(r"\ge 1", r"\ge 0")), "holds")
+
+    def test_derivatives_at_joints_and_values_given_by_the_letter(self):
+        let = "s(t) = \\begin{cases} 1 & t \\ge 0 \\\\ 0 & t < 0 \\end{cases}\nf(t) = |t|\nk(s,t) = s t^2"
+        for printed, ranges, defined in (("s'(x) = 0", r"x \ge 0", 0), ("s'(x) = 0", "x > 0", 1), ("f'(x) = 1", r"0 \le x \le 1", 0), ("f'(x) = 1", r"0 < x \le 1", 1)):
+            with self.subTest(printed=printed, ranges=ranges):
+                s = check_standard(printed, ranges, let + "\n")
+                self.assertEqual((s["verdict"], "wherever both sides are defined" in s["scope"]), ("holds", not defined))
+        put_in, given = "undecided: is its value put in before the partial derivative", "undecided: it was given by the letter of the integral"
+        self.answers((let + "\nx, y \\in \\mathbb{R}", r"\frac{\partial}{\partial x} k(x,y) = y^2", "y = x", put_in),
+                     (let + "\nx, y \\in \\mathbb{R}", r"\frac{\partial}{\partial x} k(x,y)|_{y=x} = x^2", None, "holds"),
+                     (let + "\nx, y \\in \\mathbb{R}", r"\frac{\partial}{\partial x} k(x,y)|_{y=x} = 3 x^2", None, "fails"),
+                     (r"x, y \in \mathbb{R}", r"\int_0^1 x y\,dx = \frac{y}{2}", "y = x", given), (r"x, y \in \mathbb{R}", r"\int_0^1 x y\,dx = \frac{y}{2}", None, "holds"),
+                     ("t \\in \\mathbb{R}\ng = t^2", r"\int_0^1 g\,dt = \frac13", None, "holds"), ("t \\in \\mathbb{R}\ng = t^2", r"\frac{d}{dt} g = 2t", None, "holds"))
+
+    def test_what_is_defined_nowhere_does_not_hold(self):
+        nowhere = "undecided: it is defined nowhere"
+        self.answers((r"x \in \mathbb{R}", r"\sqrt{x-2} + \sqrt{1-x} = 5", None, nowhere), (r"x \in \mathbb{R}", r"\sqrt{x-2} = \sqrt{1-x}", None, nowhere),
+                     (r"x \in \mathbb{R}", r"\sqrt{x-1} + \sqrt{1-x} = 0", None, "holds"))
+
+    def test_poles_are_left_out_alike(self):
+        """Where a > holds for all values beside poles, so does the >= that it implies."""
+        for printed, expected in ((r"\frac{x}{t} \ge 1", "x ≥ 1"), (r"\frac{x}{t} > 1", "x > 1"), (r"\frac{1}{xt+1} > 0", "x ≥ −1"), (r"\frac{1}{xt+1} \ge 0", "x ≥ −1"),
+                                  (r"\frac{x-t}{x-t} = 1", "all x"), (r"\frac{1}{(x-t)^2} \ge 1", "0 ≤ x ≤ 1")):
+            with self.subTest(printed=printed):
+                r = check(f":::{{let}}\nx \\in \\mathbb{{R}}\n0 \\le t \\le 1\n:::\n:::{{statement}} s\n:printed: {printed}\n:find: x\n:::\n")
+                said = " ".join(r.stdout.split())
+                self.assertIn(f"It holds for {expected}", said)
+                self.assertIn("wherever both sides are defined", said)
+        r = check(":::{let}\nx \\in \\mathbb{R}\n0 \\le t \\le 1\n:::\n:::{statement} s\n:printed: x \\ge t\n:find: x\n:::\n")
+        self.assertNotIn("wherever", r.stdout)
+
+
+class EveryChoice(unittest.TestCase):
+    """Equalities for every n and k: each true one is proved, each with a fault refuted; and what was rewritten is so for numbers."""
+
+    LET = "B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}\n"
+    TRUE = ((r"\binom{n}{k} = \binom{n-1}{k-1} + \binom{n-1}{k}", r"n \ge 1, 1 \le k \le n"), (r"k \binom{n}{k} = n \binom{n-1}{k-1}", r"1 \le k \le n"),
+            (r"\binom{n}{k} \binom{k}{j} = \binom{n}{j} \binom{n-j}{k-j}", r"n \ge 0, k = 0..n, j = 0..k"), (r"\binom{n}{k} = \frac{n!}{k! (n-k)!}", r"n \ge 0, k = 0, \dots, n"),
+            (r"B_i^n(t) = (1-t) B_i^{n-1}(t) + t B_{i-1}^{n-1}(t)", r"n \ge 1, 0 \le i \le n"), (r"(B_i^n)'(t) = n (B_{i-1}^{n-1}(t) - B_i^{n-1}(t))", r"n \ge 1, 0 \le i \le n"),
+            (r"(B_i^n)''(t) = n (n-1) (B_{i-2}^{n-2}(t) - 2 B_{i-1}^{n-2}(t) + B_i^{n-2}(t))", r"n \ge 2, i = 0..n"),
+            (r"B_i^n(t) = \frac{n+1-i}{n+1} B_i^{n+1}(t) + \frac{i+1}{n+1} B_{i+1}^{n+1}(t)", r"n \ge 0, 0 \le i \le n"), (r"B_i^n(t) = B_{n-i}^n(1-t)", r"n \ge 0, i = 0..n"),
+            (r"B_i^n(t) B_j^m(t) = \frac{\binom{n}{i}\binom{m}{j}}{\binom{n+m}{i+j}} B_{i+j}^{n+m}(t)", r"n \ge 0, m \ge 0, i = 0..n, j = 0..m"),
+            (r"t (1-t) (B_i^{n})'(t) = (i - n t) B_i^n(t)", r"n \ge 1, i = 0..n"), (r"\frac{2^n}{4^k} \binom{n}{k} = 2^{n-2k} \binom{n}{n-k}", r"n \ge 0, k = 0..n"),
+            (r"(-1)^{n-k} \binom{n}{k} = (-1)^{n+k} \binom{n}{n-k}", r"n \ge 0, k = 0..n"), (r"\frac{d}{dt} t^n = n t^{n-1}", r"n = 1, 2, \dots"))
+
+    FAULTS = ((r"\binom{n-1}{k}", r"\binom{n}{k}"), ("{n-1}", "{n-2}"), (r"\frac{n+1-i}{n+1}", r"\frac{n-i}{n+1}"), ("i - n t", "i + n t"), ("B_j^m", "B_j^n"), ("2^{n-2k}", "2^{n-k}"),
+              ("(-1)^{n+k}", "(-1)^{k}"), ("{k-j}", "{k-j+1}"), ("k! (n-k)!", "k! (n-k+1)!"), ("B_{n-i}^n(1-t)", "B_{n-i}^n(t)"), ("n (n-1)", "n^2"))
+
+    def test_what_is_true_is_proved_and_a_fault_is_not(self):
+        tried = set()
+        for printed, ranges in self.TRUE:
+            with self.subTest(printed=printed):
+                s = check_standard(printed, ranges, self.LET)
+                self.assertEqual((s["verdict"], s["evidence"]), ("holds", "proved"), s.get("reason"))
+                self.assertRegex(s["scope"], "^every ")
+            for old, new in self.FAULTS:
+                if old in printed:
+                    tried.add(old)
+                    with self.subTest(printed=printed, old=old, new=new):
+                        self.assertEqual(check_standard(printed.replace(old, new), ranges, self.LET)["verdict"], "fails")
+        self.assertEqual(len(tried), len(self.FAULTS))
+
+    def test_what_is_rewritten_is_so_for_numbers(self):
+        """C(n-1, k-1) = k/n C(n, k) and the like, for small numbers of the range."""
+        def factor_of(text, names):
+            text = re.sub(r"(?<=[a-z0-9)]) ?(?=[(a-z])", "*", text)
+            return fractions.Fraction(eval(text, {name: fractions.Fraction(k) for name, k in names.items()}))
+
+        def coefficient(text, names):
+            above, below = (eval(part, dict(names)) for part in re.fullmatch(r"C\((.*), (.*)\)", text).groups())
+            return math.comb(above, below) if 0 <= below <= above else 0
+        count = 0
+        for printed, ranges in self.TRUE:
+            for one in check_standard(printed, ranges, self.LET).get("similar_terms", {"rewritten": []})["rewritten"]:
+                for n in range(2, 7):
+                    for k in range(n + 1):
+                        names = {"n": n, "i": k, "k": k}
+                        self.assertEqual(coefficient(one["term"], names), factor_of(one["factor"], names) * coefficient(one["of"], names), one)
+                        count += 1
+        self.assertLess(100, count)
+
+    def test_what_is_not_so_for_every_choice_is_not_proved(self):
+        """Where a binomial coefficient has a negative number above, a divisor is 0, or a bound is missing."""
+        for printed, ranges in ((r"\frac{n-k}{n-k} = 1", r"n \ge 0, k = 0..n"), (r"\binom{n-3}{k} = \frac{n-2-k}{n-2} \binom{n-2}{k}", r"n \ge 0, k = 0..n"),
+                                (r"\frac{\binom{n}{k+1}}{\binom{n}{k}} (k+1) = n - k + \frac{0}{n-k}", r"n \ge 0, k = 0..n"), (r"(n-9)(n-10)(k-9) = 0", r"n \ge 9, k = 0..n")):
+            with self.subTest(printed=printed):
+                s = check_standard(printed, ranges, self.LET)
+                self.assertFalse(s["verdict"] == "holds" and "wherever both sides are defined" not in s["scope"], s)
+
+
 class Literature(unittest.TestCase):
     """Every true formula is proved, or left undecided; every false one is refuted."""
 

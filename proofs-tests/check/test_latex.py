@@ -217,6 +217,30 @@ class Reading(unittest.TestCase):
         for value, expected in (("1", "holds"), ("2", "fails")):
             self.assertEqual(verdicts(source("% cagd: let t \in \mathbb{R}\n" + body.replace("@", value))), dict.fromkeys(("one", "two", "three"), expected))
 
+    def test_rows_of_a_formula_are_its_rows(self):
+        """Conditions and arrows reach over their own row, as in Markdown; and a row that begins with a sign is one."""
+        inner = {"a": r"\begin{aligned} B_i^n(0) &= 0, \\ B_i^n(1) &= 0 \quad \text{for } 0 < i < n \end{aligned} % cagd: for n = 1..3, i = 0..n",
+                 "b": r"\begin{gathered} x \ge 2 \Rightarrow x^2 \ge 4, \\ x^3+x \ge 0 \end{gathered}", "c": r"\begin{gathered} x = 1 \\ x = 1 \iff x-1 = 0 \end{gathered}",
+                 "d": r"\begin{aligned} x^2 \ge 1 \\ x^3 \ge 1 \quad \text{for } x \ge 1 \end{aligned}", "e": r"\begin{split} (x+1)^2 &= x^2+2x+1 \\ x &\ge 0 \end{split}",
+                 "f": r"\left\{\begin{array}{ll} F(x) \ge 1 \\ F(x) \ge 0, & x \ge 1 \end{array}\right.", "g": r"\begin{split} (x+1)^2 &= x^2+2x+1 \\ &= (1+x)^2 \end{split}",
+                 "h": r"\begin{aligned}[t] (x+1)^2 &= x^2 \\ &\quad + 2x + 1 \end{aligned}"}
+        found = verdicts(source("\n".join(f"\\begin{{equation}}\\label{{{name}}} {text}\n\\end{{equation}}" for name, text in inner.items())))
+        self.assertEqual({name for name in inner if found[name] == "holds"}, {"g", "h"})
+        self.assertEqual((found["a"], found["c"], found["d"]), ("fails", "fails", "fails"))
+        body = r"""\begin{align} 0 &= x \label{a} \\ -x &= 0 \label{b} \end{align}
+\begin{align} 1 &= (1-x) + x \label{c} \\ -1 &= (x-1) - x \label{d} \end{align}
+\begin{align} F(x) &= x^2 \label{e} \\ -x &\le |x| \label{f} \end{align}
+\begin{align} (x+1)^2 &= x^2 \label{g} \\ &\quad + 2 x \\ &\quad +1 \end{align}
+\begin{align} (x+1)^2 &= x^2+2x+1 \label{h} \\ &= (1+x)^2 \label{i} \end{align}"""
+        r = check(source(body), "--json")
+        self.assertIn("this row goes on with the formula before it: its label names none", r.stderr)
+        found = {s["name"]: s["verdict"] for s in json.loads(r.stdout)["statements"]}
+        self.assertEqual(found, {**dict.fromkeys("ab", "fails"), **dict.fromkeys("cdefgh", "holds")})
+
+    def test_what_is_switched_off_is_not_there(self):
+        found = verdicts(source("\\newcommand{\\k}{2}\\iffalse\\renewcommand{\\k}{3}\\ifx a b \\fi \\begin{equation}\\label{z} 1 = 2 \\end{equation}\\fi\n\\begin{equation}\\label{a} \\k = 2 \\end{equation}"))
+        self.assertEqual(found, {"a": "holds"})
+
     def test_a_system_in_an_array(self):
         """As it was printed before amsmath: rows of definitions in a brace, and ranges behind formulas."""
         body = r"""

@@ -1314,6 +1314,33 @@ class Fits(Case):
         self.assertEqual(a["curve"]["kind"], "nurbs")
         self.assertEqual(a["curve"]["knots"], [0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1])
 
+    def test_a_spline_that_is_to_have_weights_and_has_none_has_no_intervals(self):
+        """A cubic of eight points, one of weight 3: with weights between 1/16 and 16 there is no better minimum, and what they would leave of the distances is
+        errors, which are 0.01; of the distances themselves a sixth is misfit."""
+        r, knots, far = random.Random(7), [0.2, 0.4, 0.6, 0.8], [0] * 4 + [0.2, 0.4, 0.6, 0.8] + [1] * 4
+        def basis(i, p, u):
+            if p == 0:
+                return 1.0 if far[i] <= u < far[i + 1] or (u == 1 and far[i] < 1 == far[i + 1]) else 0.0
+            part = lambda a, b, c: (a / b if b else 0) * c
+            return (part(u - far[i], far[i + p] - far[i], basis(i, p - 1, u)) +
+                    part(far[i + p + 1] - u, far[i + p + 1] - far[i + 1], basis(i + 1, p - 1, u)))
+        def point(u):
+            share = [basis(j, 3, u) * (3 if j == 4 else 1) for j in range(8)]
+            return [sum(s * x for s, x in zip(share, xs)) / sum(share) for xs in ([float(j) for j in range(8)], [1.5 * math.sin(2.1 * j) for j in range(8)])]
+        rows = [[x + r.gauss(0, 0.01) for x in point(i / 79)] for i in range(80)]
+        options = ["--degree", "3", "--knots", ",".join(map(str, knots))]
+        d = self.fit(table(rows), *options, "--no-verify")
+        test = d["choice"]["weights_test"]
+        self.assertEqual((test["fitted"], d["curve"]["weights"]), (False, [1] * 8))
+        self.assertLess(test["probability"], 0.05)
+        deviation = d["statistics"]["scale_squared"] ** 0.5
+        self.assertTrue(0.008 < deviation < 0.012, deviation)
+        self.assertLess(1.1 * deviation, (d["statistics"]["chi_squared"] / d["statistics"]["degrees_of_freedom"]) ** 0.5)
+        self.assertEqual({u["interval_by"] for u in d["unknowns"]}, {"not sought"})
+        said = self.text(rows, *options)
+        self.assertIn("weights would explain something, so that this is not the curve of the points", said)
+        self.assertIn("estimated from the distances that weights would leave", said)
+
     def test_weights_of_several_segments_are_left_out(self):
         """Unless somebody asks for them; and that is said."""
         r = random.Random(2)
