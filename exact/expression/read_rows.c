@@ -286,11 +286,12 @@ static const cagd_token *end_of_row(const cagd_token *t)
 /* The row from t to `end`, to be read as if it stood alone. */
 static int open_row(const cagd_reader *r, const cagd_token *t, const cagd_token *end, cagd_reader *row)
 {
-    cagd_token *own = cagd_region_array((int)(end - t) + 1, 1, sizeof *own);
+    cagd_token *own = cagd_region_array((int)(end - t) + CAGD_TOKENS_AHEAD, 1, sizeof *own);
     if (own == NULL)
         return 0;
     memcpy(own, t, (size_t)(end - t) * sizeof *own);
-    own[end - t] = (cagd_token){CAGD_TOKEN_END, "", end->from, end->to};
+    for (int k = 0; k < CAGD_TOKENS_AHEAD; k++)
+        own[end - t + k] = (cagd_token){CAGD_TOKEN_END, "", end->from, end->to};
     *row = *r;
     row->token = own;
     return 1;

@@ -213,11 +213,12 @@ static const cagd_tree *quantified(cagd_reader *r)
 static int pass_all_numbers(cagd_reader *r)
 {
     const cagd_token *t = r->token;
-    int braces = strcmp(t[1].word, "{") == 0;
     if (cagd_pass(r, "\\R"))
         return 1;
-    if (strcmp(t->word, "\\mathbb") != 0 || strcmp(t[1 + braces].word, "R") != 0 ||
-        (braces && strcmp(t[3].word, "}") != 0))
+    if (strcmp(t->word, "\\mathbb") != 0)
+        return 0;
+    const int braces = strcmp(t[1].word, "{") == 0;
+    if (strcmp(t[1 + braces].word, "R") != 0 || (braces && strcmp(t[3].word, "}") != 0))
         return 0;
     r->token += 2 + 2 * braces;
     return 1;

@@ -458,7 +458,7 @@ static void read_roman_words(cagd_token list[], int count)
 
 cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *error)
 {
-    int count = 0, room = 2 * (to - from < CAGD_MOST_TOKENS ? to - from : CAGD_MOST_TOKENS) + 2 * LONGEST_SCRIPT + 1;
+    int count = 0, room = 2 * (to - from < CAGD_MOST_TOKENS ? to - from : CAGD_MOST_TOKENS) + 2 * LONGEST_SCRIPT + CAGD_TOKENS_AHEAD;
     cagd_token *list = cagd_region_array(room, 1, sizeof *list);
     int bar[MOST_BARS], bars = 0; /* that end what \left. begins */
     int text_end = -1;            /* of a text in which formulas stand between dollar signs */
@@ -560,5 +560,7 @@ cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *
     list[count] = (cagd_token){.kind = CAGD_TOKEN_END, .word = "", .from = to, .to = to};
     simplify(list, &count);
     read_roman_words(list, count);
+    for (int k = 1; k < CAGD_TOKENS_AHEAD; k++)
+        list[count + k] = list[count];
     return list;
 }

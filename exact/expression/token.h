@@ -26,6 +26,8 @@ typedef struct cagd_token {
 /* The tokens of text[from..to), with an END behind them; in the region.  NULL and the error where there is no token, or where
  * there are more than CAGD_MOST_TOKENS. */
 enum { CAGD_MOST_TOKENS = 20000 };
+/* So many ends stand behind the last one, so that a reader may look some tokens ahead. */
+enum { CAGD_TOKENS_AHEAD = 5 };
 /* Whether a command is a Greek letter: "\lambda". */
 int cagd_is_greek(const char *command);
 cagd_token *cagd_tokens(const char *text, int from, int to, cagd_reading_error *error);
