@@ -199,6 +199,9 @@ static json_t *tell_left_out(const struct document *d, int as_json)
         else
             printf("    %s  (%s:%d)\n", l->name, name_of_input(d->path), l->line);
     }
+    if (!as_json && d->unlabelled > 0)
+        printf("\n\nNot read, for they have no label: %d displayed formula%s\n", d->unlabelled,
+               d->unlabelled == 1 ? "" : "s");
     return list;
 }
 
@@ -253,8 +256,9 @@ static int check(const cagd_register *reg, const struct arguments *a)
     if (to.junit != NULL && junit_write(to.junit, "cagd check", a->junit) != 0)
         code = EXIT_INTERNAL;
     if (a->asked.json)
-        print_json(json_pack("{s:s, s:s, s:b, s:o, s:o, s:o}", "schema", "cagd-check-1", "file", a->asked.path,
-                             "as_expected", good, "statements", list, "bases", sheets, "left_out", left_out));
+        print_json(json_pack("{s:s, s:s, s:b, s:o, s:o, s:o, s:i}", "schema", "cagd-check-1", "file", a->asked.path,
+                             "as_expected", good, "statements", list, "bases", sheets, "left_out", left_out,
+                             "without_label", d.unlabelled));
     return code != EXIT_AS_EXPECTED ? code : good ? EXIT_AS_EXPECTED : EXIT_NOT_AS_EXPECTED;
 }
 

@@ -106,6 +106,7 @@ struct document {
     const struct paper *papers; /* the LaTeX sources that were read */
     struct left_out *left_out;
     int left_outs;
+    int unlabelled; /* displayed formulas of a paper without a label, which nobody asked for */
     struct waiting waiting[MOST_WAITING];
     int waits;
     const char *failed[MOST_WAITING]; /* what lines would have defined that were not understood */

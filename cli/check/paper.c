@@ -190,8 +190,10 @@ static void put_item(struct blocks *b, const cagd_latex_item *f)
     b->at = f->at;
     look_at_notes(b, f);
     if (note_of(b->paper, f, "skip", &value) != NULL ||
-        (f->name == NULL && f->notes == 0 && !f->is_definition && !f->is_let))
+        (f->name == NULL && f->notes == 0 && !f->is_definition && !f->is_let)) {
+        b->d->unlabelled += note_of(b->paper, f, "skip", &value) == NULL;
         return;
+    }
     if (f->is_let || note_of(b->paper, f, "definition", &value) != NULL) {
         put_word(b, ":::{let}\n");
         put_formula(b, f);

@@ -272,6 +272,45 @@ static void check_in_clauses(const cagd_scope *scope, const cagd_tree *statement
         *out = *second;
 }
 
+static int has_root(const cagd_tree *t)
+{
+    int has = t->kind == CAGD_ROOT || t->kind == CAGD_NORM;
+    for (int k = 0; k < t->count && !has; k++)
+        has = has_root(t->at[k]);
+    return has;
+}
+
+static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out);
+
+/* An equality with roots, |P_0 - P_1| = |P_1 - P_0|, as two inequalities. */
+static void check_from_both_sides(const cagd_scope *scope, const cagd_tree *statement, double until, int quick,
+                                  cagd_finding *out)
+{
+    static const cagd_relation side[] = {CAGD_LESS_OR_EQUAL, CAGD_GREATER_OR_EQUAL};
+    cagd_finding *f = region_bytes(2 * sizeof *f);
+    if (f == NULL || statement->kind != CAGD_RELATION || statement->count != 2 ||
+        statement->relation[0] != CAGD_EQUAL || !has_root(statement))
+        return;
+    for (int k = 0; k < 2; k++) {
+        cagd_tree *t = cagd_tree_new(CAGD_RELATION, statement->from, statement->to, 2);
+        if (t == NULL)
+            return;
+        t->at[0] = statement->at[0], t->at[1] = statement->at[1], t->relation = &side[k];
+        check(scope, t, (until - cagd_seconds()) / (2 - k), quick, &f[k]);
+        if (f[k].answer == CAGD_UNDECIDED)
+            return;
+        if (f[k].answer == CAGD_FAILS) {
+            *out = f[k];
+            if (out->of_left != NULL && !out->has_root)
+                tell_sides(scope, statement, out);
+            return;
+        }
+    }
+    *out = f[0];
+    out->leaves_out_poles |= f[1].leaves_out_poles, out->bounded |= f[1].bounded;
+    cagd_weaken(out, f[1].strength);
+}
+
 static void check(const cagd_scope *scope, const cagd_tree *statement, double seconds, int quick, cagd_finding *out)
 {
     double until = cagd_seconds() + seconds;
@@ -280,6 +319,8 @@ static void check(const cagd_scope *scope, const cagd_tree *statement, double se
         check_in_clauses(scope, statement, until, quick, out);
     if (out->answer == CAGD_UNDECIDED && !out->first_alone && cagd_seconds() < until)
         check_with_names_for_roots(scope, statement, until, quick, out);
+    if (out->answer == CAGD_UNDECIDED && !out->first_alone && cagd_seconds() < until)
+        check_from_both_sides(scope, statement, until, quick, out);
     if (out->answer == CAGD_FAILS && !out->has_root && out->of_left == NULL)
         tell_sides(scope, statement, out);
 }

@@ -34,10 +34,21 @@ static const cagd_tree *shaped(cagd_reader *r, cagd_tree_kind kind, int from, in
     return t;
 }
 
+/* Whether it is a vector in square brackets, perhaps with numbers before it: \frac12 [t \; 1]. */
+static int may_be_row(const cagd_tree *a)
+{
+    const cagd_tree *vector = a;
+    int vectors = 0;
+    for (int k = 0; a->kind == CAGD_PRODUCT && k < a->count; k++)
+        if (a->at[k]->dimension > 0)
+            vector = a->at[k], vectors++;
+    return vectors == 1 ? may_be_row(vector) : vector->kind == CAGD_POINT && !cagd_is_matrix(vector->dimension);
+}
+
 const cagd_tree *cagd_matrix_product(cagd_reader *r, const cagd_tree *a, const cagd_tree *b)
 {
     int rows = a->dimension == 0 ? 1 : cagd_rows(a->dimension), inside = cagd_columns(a->dimension);
-    if (a->kind == CAGD_POINT && !cagd_is_matrix(a->dimension) && a->dimension == cagd_rows(b->dimension))
+    if (may_be_row(a) && a->dimension == cagd_rows(b->dimension))
         rows = 1, inside = a->dimension;
     if (a->dimension == 0 || b->dimension == 0)
         return cagd_new_of(r, CAGD_PRODUCT, a->from, 2, (const cagd_tree *[]){a, b});
