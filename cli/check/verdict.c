@@ -276,6 +276,8 @@ const char *reason_of(const struct document *d, const cagd_finding *f)
         text = append(text, " (%s%sline %d, column %d: %s)", file != d->path ? file : "", file != d->path ? ", " : "",
                       line, column, source(d, f->where));
     }
+    if (text[0] == '\0')
+        text = append(text, "no way to decide it was found in the time that it has");
     return text;
 }
 

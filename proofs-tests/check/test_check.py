@@ -133,6 +133,14 @@ class Opponents(unittest.TestCase):
         self.answers((r"x \in \mathbb{R}", r"\sqrt{x-2} + \sqrt{1-x} = 5", None, nowhere), (r"x \in \mathbb{R}", r"\sqrt{x-2} = \sqrt{1-x}", None, nowhere),
                      (r"x \in \mathbb{R}", r"\sqrt{x-1} + \sqrt{1-x} = 0", None, "holds"))
 
+    def test_equalities_with_roots_are_looked_at_from_both_sides(self):
+        self.answers((r"P_i \in \mathbb{R}^2", r"\|P_0-P_1\| = \|P_1-P_0\|", None, "holds"), (r"P_i \in \mathbb{R}^2", r"\|P_0-P_1\| = \|P_1-2P_0\|", None, "fails"),
+                     (r"x \in \mathbb{R}", r"\sqrt{x^2+1} = x", None, "fails"), (r"x \in \mathbb{R}", r"\sqrt{x^2+1} = \sqrt{1+x^2}", None, "holds"))
+
+    def test_a_number_before_a_row_and_a_matrix(self):
+        let, printed = "P_i \\in \\mathbb{R}^2\nt \\in \\mathbb{R}", r"(1-t) P_0 + t P_1 = \frac12 [t \; 1] \begin{bmatrix} -2 & 2 \\ 2 & 0 \end{bmatrix} \begin{bmatrix} P_0 \\ P_1 \end{bmatrix}"
+        self.answers((let, printed, None, "holds"), (let, printed.replace("2 & 0", "2 & 1"), None, "fails"))
+
     def test_poles_are_left_out_alike(self):
         """Where a > holds for all values beside poles, so does the >= that it implies."""
         for printed, expected in ((r"\frac{x}{t} \ge 1", "x ≥ 1"), (r"\frac{x}{t} > 1", "x > 1"), (r"\frac{1}{xt+1} > 0", "x ≥ −1"), (r"\frac{1}{xt+1} \ge 0", "x ≥ −1"),

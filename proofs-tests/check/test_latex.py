@@ -237,6 +237,12 @@ class Reading(unittest.TestCase):
         found = {s["name"]: s["verdict"] for s in json.loads(r.stdout)["statements"]}
         self.assertEqual(found, {**dict.fromkeys("ab", "fails"), **dict.fromkeys("cdefgh", "holds")})
 
+    def test_formulas_without_a_label_are_counted(self):
+        text = source("\\begin{equation}\\label{a} x = x \\end{equation}\n\\[ 1 = 2 \\]\n\\begin{align} x &= 1 \\\\ u &= u \\label{b} \\end{align}\n\\begin{equation} x = 3 \\end{equation} % cagd: skip")
+        self.assertIn("Not read, for they have no label: 2 displayed formulas", check(text).stdout)
+        self.assertEqual(json.loads(check(text, "--json").stdout)["without_label"], 2)
+        self.assertNotIn("Not read", check(source("\\begin{equation}\\label{a} x = x \\end{equation}")).stdout)
+
     def test_what_is_switched_off_is_not_there(self):
         found = verdicts(source("\\newcommand{\\k}{2}\\iffalse\\renewcommand{\\k}{3}\\ifx a b \\fi \\begin{equation}\\label{z} 1 = 2 \\end{equation}\\fi\n\\begin{equation}\\label{a} \\k = 2 \\end{equation}"))
         self.assertEqual(found, {"a": "holds"})

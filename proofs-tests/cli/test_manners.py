@@ -1141,7 +1141,7 @@ class Schemas(Case):
         self.assertGreater(tried, 100)
 
     def test_what_commands_print(self):
-        for args in (["check", "--json", ROOT / "proofs-tests/check/bases.md"], ["check", "--json", ROOT / "proofs-tests/check/c-curves.md"], ["verify", "--json", "end_*"], ["list", "--json"], ["ledger", "--json", "wang-ch3:3.2.*"],
+        for args in (["check", "--json", ROOT / "proofs-tests/check/bases.md"], ["check", "--json", ROOT / "proofs-tests/check/every.md"], ["check", "--json", ROOT / "proofs-tests/check/c-curves.md"], ["verify", "--json", "end_*"], ["list", "--json"], ["ledger", "--json", "wang-ch3:3.2.*"],
                      ["show", "--json", "wang-ch3:thm-3.3.2"], ["show", "--json", NAME], ["fit", ARCH, "--json"],
                      ["show", "--json", "slides-ch4:table-bezier"], ["fit", ARCH, "--json", "--no-verify"],
                      ["fit", ARCH, "--json", "--loss", "cauchy"], ["fit", ARCH, "--json", "--unordered"],
