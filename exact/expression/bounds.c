@@ -93,8 +93,10 @@ static int is_beyond(const cagd_scope *scope, const cagd_tree *t)
         return 0;
     const int which = t->count == 3 || !is_free(scope, t->at[0], NULL);
     const cagd_variable *v = t->at[which]->count == 0 ? cagd_declared(scope, t->at[which]->head) : NULL;
+    if (v == NULL || v->whole)
+        return 0;
     cagd_num_q end, bound;
-    for (int k = 0; v != NULL && k < t->count; k++) {
+    for (int k = 0; k < t->count; k++) {
         if (k == which || !cagd_is_plain_number(t->at[k], &end))
             continue;
         const int is_low = (k < which) == goes_up(t->relation[k < which ? k : which]);
@@ -113,7 +115,7 @@ const cagd_tree *cagd_is_beyond_bounds(const cagd_scope *scope, const cagd_tree 
     if (implies && all->kind != CAGD_ALL)
         return is_beyond(scope, all) ? all : NULL;
     for (int k = !implies; (implies || (all->kind == CAGD_ALL && !all->juxtaposed)) && k < all->count; k++)
-        if (is_beyond(scope, all->at[k]))
+        if ((implies || all->at[k]->count == 3) && is_beyond(scope, all->at[k])) /* t >= -1 alone may be said */
             return all->at[k];
     return NULL;
 }
