@@ -165,7 +165,9 @@ class EveryChoice(unittest.TestCase):
             (r"B_i^n(t) = \frac{n+1-i}{n+1} B_i^{n+1}(t) + \frac{i+1}{n+1} B_{i+1}^{n+1}(t)", r"n \ge 0, 0 \le i \le n"), (r"B_i^n(t) = B_{n-i}^n(1-t)", r"n \ge 0, i = 0..n"),
             (r"B_i^n(t) B_j^m(t) = \frac{\binom{n}{i}\binom{m}{j}}{\binom{n+m}{i+j}} B_{i+j}^{n+m}(t)", r"n \ge 0, m \ge 0, i = 0..n, j = 0..m"),
             (r"t (1-t) (B_i^{n})'(t) = (i - n t) B_i^n(t)", r"n \ge 1, i = 0..n"), (r"\frac{2^n}{4^k} \binom{n}{k} = 2^{n-2k} \binom{n}{n-k}", r"n \ge 0, k = 0..n"),
-            (r"(-1)^{n-k} \binom{n}{k} = (-1)^{n+k} \binom{n}{n-k}", r"n \ge 0, k = 0..n"), (r"\frac{d}{dt} t^n = n t^{n-1}", r"n = 1, 2, \dots"))
+            (r"(-1)^{n-k} \binom{n}{k} = (-1)^{n+k} \binom{n}{n-k}", r"n \ge 0, k = 0..n"), (r"\binom{n+1}{k+1} = \binom{n+1}{n-k}", r"n \ge 0, k = 0..n+1"),
+            (r"\binom{n}{k} = \frac{n}{k} \binom{n-1}{k-1}", r"0 < k \le n"), (r"\binom{n}{k} = \frac{n}{n-k} \binom{n-1}{k}", r"n \ge 1, 0 \le k < n"),
+            (r"\binom{n}{n+1} + \binom{n}{k} = \binom{n}{k}", r"n \ge 0, k = 0..n"), (r"\frac{d}{dt} t^n = n t^{n-1}", r"n = 1, 2, \dots"))
 
     FAULTS = ((r"\binom{n-1}{k}", r"\binom{n}{k}"), ("{n-1}", "{n-2}"), (r"\frac{n+1-i}{n+1}", r"\frac{n-i}{n+1}"), ("i - n t", "i + n t"), ("B_j^m", "B_j^n"), ("2^{n-2k}", "2^{n-k}"),
               ("(-1)^{n+k}", "(-1)^{k}"), ("{k-j}", "{k-j+1}"), ("k! (n-k)!", "k! (n-k+1)!"), ("B_{n-i}^n(1-t)", "B_{n-i}^n(t)"), ("n (n-1)", "n^2"))
@@ -204,9 +206,13 @@ class EveryChoice(unittest.TestCase):
         self.assertLess(100, count)
 
     def test_what_is_not_so_for_every_choice_is_not_proved(self):
-        """Where a binomial coefficient has a negative number above, a divisor is 0, or a bound is missing."""
-        for printed, ranges in ((r"\frac{n-k}{n-k} = 1", r"n \ge 0, k = 0..n"), (r"\binom{n-3}{k} = \frac{n-2-k}{n-2} \binom{n-2}{k}", r"n \ge 0, k = 0..n"),
-                                (r"\frac{\binom{n}{k+1}}{\binom{n}{k}} (k+1) = n - k + \frac{0}{n-k}", r"n \ge 0, k = 0..n"), (r"(n-9)(n-10)(k-9) = 0", r"n \ge 9, k = 0..n")):
+        """The first eight numbers are no evidence: a binomial coefficient has a negative number above later, a factorial has none, a divisor is 0, or every
+        other number is another matter."""
+        for printed, ranges in ((r"\frac{n-k}{n-k} = 1", r"n = 0, 1, \dots, k = 0..n"), (r"\binom{9-n}{k} = \binom{9-n}{9-n-k}", r"n = 0, 1, \dots, k = 0..3"), (r"(9-n)! (10-n) t^k = (10-n)! t^k", r"n = 0, 1, \dots, k = 0..1"),
+                                (r"\frac{\binom{9}{n}}{\binom{9}{n}} t^k = t^k", r"n = 0, 1, \dots, k = 0..1"), (r"\binom{9}{n}^{-1} \binom{9}{n} t^k = t^k", r"n = 0, 1, \dots, k = 0..1"),
+                                (r"\frac{n-9}{n-9} \binom{n}{k} = \binom{n}{k}", r"n = 0, 1, \dots, k = 0..n"), (r"\frac{(n-9) t^n}{n-9} = t^n", r"n = 0, 1, \dots"), (r"\frac{(n-9) t^n \binom{n}{k}}{n-9} = t^n \binom{n}{k}", r"n = 0, 1, \dots, k = 0..n"),
+                                (r"(n-1)(n-3)(n-5)(n-7) ((-1)^n - 1) t^k = 0", r"n = 0, 1, \dots, k = 0..1"), (r"n(n-2)(n-4)(n-6) ((-1)^n + 1) t^k = 0", r"n = 0, 1, \dots, k = 0..1"),
+                                (r"\frac{\binom{n}{k+1}}{\binom{n}{k}} (k+1) = n - k + \frac{0}{n-k}", r"n = 0, 1, \dots, k = 0..n")):
             with self.subTest(printed=printed):
                 s = check_standard(printed, ranges, self.LET)
                 self.assertFalse(s["verdict"] == "holds" and "wherever both sides are defined" not in s["scope"], s)
