@@ -330,7 +330,7 @@ static const char *why_none_fits(const cagd_context *c, const cagd_tree *t, cons
     int used = snprintf(text, sizeof text, "%s", words), told = 0, is_conditional = 0;
     for (; d != NULL && strcmp(d->left->head, t->head) == 0 && told == 0; d = d->next)
         for (int k = 0; k < d->left->count && used < 80; k++) {
-            is_conditional |= d->when != NULL && (has_name(c, value[k]) || cagd_is_beside(c, value[k]));
+            is_conditional |= d->when != NULL && has_name(c, cagd_at_places(c, value[k]));
             char number[24];
             int length = value[k].rational && d->left->at[k]->kind == CAGD_NAME && strlen(d->left->at[k]->head) < 12
                              ? gmp_snprintf(number, sizeof number, "%Qd", value[k].q.at)
