@@ -13,9 +13,7 @@ static int tell_initial_cost(fit_attempt *a)
     if (!fit_feet_guess(a->problem, a->curve, a->feet))
         return 0;
     a->objective->limit = FOOT_EXACT;
-    a->objective->newton = 0;
-    fit_objective_begin(a->objective, a->curve, a->feet);
-    a->initial_cost = a->objective->cost;
+    a->initial_cost = fit_objective_cost(a->objective, a->curve, a->feet);
     return 1;
 }
 

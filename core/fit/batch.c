@@ -61,18 +61,17 @@ static int can_batch(const fit_problem *p, int width, int i)
            p->degree <= 3 && i + FIT_BATCH <= p->points;
 }
 
-int fit_batch(fit_objective *o, int i, int weighted, double loss[])
+int fit_batch(fit_objective *o, int i, fit_extent extent, double loss[])
 {
-    int newton = weighted && o->newton;
     if (!can_batch(o->problem, o->width, i) || o->problem->loss != CAGD_FIT_SQUARES)
         return 0;
 #ifdef FIT_WIDER
     if (o->width == 8)
-        return points_8(o, i, newton, loss);
+        return points_8(o, i, extent, loss);
     if (o->width == 4)
-        return points_4(o, i, newton, loss);
+        return points_4(o, i, extent, loss);
 #endif
-    return points_2(o, i, newton, loss);
+    return points_2(o, i, extent, loss);
 }
 
 int fit_batch_feet(const fit_problem *p, const fit_curve *curve, int width, int i, double feet[], double D[][6])

@@ -82,8 +82,6 @@ INLINE int NAME(feet)(const fit_curve *curve, const int p, double limit, const l
     }
     const lanes error = (2 * p + 2) * DBL_EPSILON * size;
     mask found = {0};
-    for (int j = 0; j < 6; j++)
-        D[j] = none;
     for (int looks = 0; looks < LOOKS; looks++) {
         lanes E[6];
         NAME(derivatives)(curve, p, t, E);
@@ -106,9 +104,9 @@ INLINE int NAME(feet)(const fit_curve *curve, const int p, double limit, const l
         const lanes h = NAME(choose)(&stay, &none, &step);
         for (int j = 0; j < 2; j++) {
             const lanes C = E[j] + h * (E[2 + j] + h / 2 * E[4 + j]), C1 = E[2 + j] + h * E[4 + j];
-            D[j] = NAME(choose)(&last, &C, &D[j]);
-            D[2 + j] = NAME(choose)(&last, &C1, &D[2 + j]);
-            D[4 + j] = NAME(choose)(&last, &E[4 + j], &D[4 + j]);
+            D[j] = looks > 0 ? NAME(choose)(&last, &C, &D[j]) : C; /* where it is not the last, others follow */
+            D[2 + j] = looks > 0 ? NAME(choose)(&last, &C1, &D[2 + j]) : C1;
+            D[4 + j] = looks > 0 ? NAME(choose)(&last, &E[4 + j], &D[4 + j]) : E[4 + j];
         }
         *t += h;
         found |= last;
@@ -142,27 +140,38 @@ INLINE void NAME(shares)(const fit_curve *curve, const int p, const int newton, 
     }
 }
 
+/* The normal n, the distance along it in units of the errors, and the loss, its square. */
+INLINE void NAME(distance)(const fit_problem *problem, int i, const lanes Q[2], const lanes D[6], lanes n[2],
+                           lanes *left, double loss[])
+{
+    lanes precision, length;
+    NAME(get)(&precision, problem->precision + i);
+    const lanes r[2] = {D[0] - Q[0], D[1] - Q[1]}, speed = D[2] * D[2] + D[3] * D[3];
+    for (int l = 0; l < LANES; l++)
+        length[l] = sqrt(speed[l]);
+    n[0] = -D[3] / length, n[1] = D[2] / length;
+    *left = -(n[0] * r[0] + n[1] * r[1]) * precision;
+    const lanes square = *left * *left;
+    NAME(put)(loss, &square);
+}
+
 /* As point_rows and, for Newton's steps, point_curvature in objective.c, for the points i, ..., i + LANES - 1; row, x and
  * y: where they are written.  p and newton are constants for the compiler. */
 INLINE void NAME(rows)(const fit_objective *o, const int p, const int newton, int i, const lanes Q[2], const lanes *t,
                        const lanes D[6], double *row, int stride, double *x, double *y, int pairs_stride, double loss[])
 {
     const fit_problem *problem = o->problem;
-    lanes precision, length, N[4], N1[4];
+    lanes precision, n[2], left, N[4], N1[4];
     NAME(get)(&precision, problem->precision + i);
+    NAME(distance)(problem, i, Q, D, n, &left, loss);
     NAME(shares)(o->curve, p, newton, t, N, N1);
     const lanes r[2] = {D[0] - Q[0], D[1] - Q[1]}, speed = D[2] * D[2] + D[3] * D[3];
-    for (int l = 0; l < LANES; l++)
-        length[l] = sqrt(speed[l]);
-    const lanes n[2] = {-D[3] / length, D[2] / length};
-    const lanes left = -(n[0] * r[0] + n[1] * r[1]) * precision, square = left * left;
     const lanes bend = r[0] * D[4] + r[1] * D[5], slide = r[0] * D[2] + r[1] * D[3];
     lanes scale = {0}, kappa = {0}, f = {0};
     if (newton) {
         scale = -precision * precision, kappa = bend / speed;
         f = scale / (speed + bend); /* speed + bend is positive, or there would be no foot */
     }
-    NAME(put)(loss, &square);
     const cagd_fit_unknown *local = problem->local, *end = local + problem->support.first[1];
     for (const cagd_fit_unknown *u = local; u < end; u++, row += stride) {
         const lanes M = N[u->index], M1 = N1[u->index];
@@ -207,12 +216,19 @@ INLINE int NAME(find)(const fit_problem *problem, const fit_curve *curve, const 
     return 1;
 }
 
-INLINE int NAME(batch)(fit_objective *o, const int p, const int newton, int i, double loss[])
+INLINE int NAME(batch)(fit_objective *o, const int p, const int rows, const int newton, int i, double loss[])
 {
     enum { GROUPS = FIT_BATCH / LANES };
-    lanes Q[GROUPS][2], t[GROUPS], D[GROUPS][6];
+    lanes Q[GROUPS][2], t[GROUPS], D[GROUPS][6], n[2], left;
     if (!NAME(find)(o->problem, o->curve, p, o->limit, i, o->feet + i, Q, t, D))
         return 0;
+    for (int g = 0; g < GROUPS; g++) {
+        NAME(put)(o->new_feet + i + g * LANES, &t[g]);
+        if (!rows)
+            NAME(distance)(o->problem, i + g * LANES, Q[g], D[g], n, &left, loss + g * LANES);
+    }
+    if (!rows)
+        return 1;
     int stride, pairs_stride = 0;
     double *row = fit_reduction_rows(o->rows, 0, FIT_BATCH, &stride), *x = NULL, *y = NULL;
     if (newton) {
@@ -221,7 +237,6 @@ INLINE int NAME(batch)(fit_objective *o, const int p, const int newton, int i, d
     }
     for (int g = 0; g < GROUPS; g++) {
         const int at = g * LANES;
-        NAME(put)(o->new_feet + i + at, &t[g]);
         NAME(rows)
         (o, p, newton, i + at, Q[g], &t[g], D[g], row + at, stride, newton ? x + at : NULL, newton ? y + at : NULL,
          pairs_stride, loss + at);
@@ -229,11 +244,14 @@ INLINE int NAME(batch)(fit_objective *o, const int p, const int newton, int i, d
     return 1;
 }
 
-TARGET static int NAME(points)(fit_objective *o, int i, int newton, double loss[])
+TARGET static int NAME(points)(fit_objective *o, int i, fit_extent extent, double loss[])
 {
-    return o->problem->degree == 2 ? newton ? NAME(batch)(o, 2, 1, i, loss) : NAME(batch)(o, 2, 0, i, loss)
-           : newton ? NAME(batch)(o, 3, 1, i, loss)
-                                   : NAME(batch)(o, 3, 0, i, loss);
+    const int newton = extent == FIT_ROWS && o->newton;
+    if (extent == FIT_COST)
+        return o->problem->degree == 2 ? NAME(batch)(o, 2, 0, 0, i, loss) : NAME(batch)(o, 3, 0, 0, i, loss);
+    return o->problem->degree == 2 ? newton ? NAME(batch)(o, 2, 1, 1, i, loss) : NAME(batch)(o, 2, 1, 0, i, loss)
+           : newton ? NAME(batch)(o, 3, 1, 1, i, loss)
+                                   : NAME(batch)(o, 3, 1, 0, i, loss);
 }
 
 /* See fit_batch_feet. */

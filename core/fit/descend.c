@@ -145,7 +145,7 @@ static int step_from(const fit_objective *f, newton *w, double *length)
 static int go(fit_objective *f, newton *w)
 {
     fit_model_free(&w->model);
-    fit_objective_evaluate(f, w->next, 1);
+    fit_objective_evaluate(f, w->next, FIT_ROWS);
     return fit_model_of(f, w->fixed, &w->model);
 }
 
@@ -215,13 +215,13 @@ static int take_feet(fit_attempt *a)
     fit_objective *f = a->objective;
     double *before = f->feet, cost = f->cost;
     f->feet = a->feet;
-    fit_objective_evaluate(f, f->x, 1);
+    fit_objective_evaluate(f, f->x, FIT_ROWS);
     int better = f->cost < cost - fit_problem_cost_error(a->problem, cost);
     if (better) {
         a->feet = before;
     } else {
         f->feet = before;
-        fit_objective_evaluate(f, f->x, 1);
+        fit_objective_evaluate(f, f->x, FIT_ROWS);
     }
     fit_objective_accept(f);
     return better;

@@ -137,7 +137,7 @@ static inline void point_curvature(fit_objective *o, const int dim, int i, int p
 
 /* The rows of point i at its foot t, in `dim` dimensions, a constant for the compiler; returns its loss. */
 static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot_kind kind, double t, const double D[],
-                                int weighted)
+                                fit_extent extent)
 {
     const fit_problem *p = o->problem;
     const fit_curve *curve = o->curve;
@@ -145,12 +145,7 @@ static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot
     const double *q = p->Q + (size_t)i * (size_t)dim, *B = o->base->points + (curve->span[piece] - degree) * dim,
                  *inverse = o->inverse + curve->span[piece] - degree;
     double N[MAX_DEGREE + 1], N1[MAX_DEGREE + 1], n[3][3], precision = p->precision[i], left[3], square = 0;
-    const int count = directions(dim, kind, D + dim, n);
-    fit_curve_shares(curve, piece, t, N, N1);
-    for (int m = 0; m <= degree; m++) { /* without their weights: N/(sum N w) */
-        N[m] *= inverse[m];
-        N1[m] *= inverse[m];
-    }
+    const int count = directions(dim, kind, D + dim, n), weighted = extent == FIT_ROWS;
     for (int r = 0; r < count; r++) {
         left[r] = 0;
         for (int c = 0; c < dim; c++)
@@ -161,6 +156,13 @@ static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot
     double loss[3] = {square, 1, 0};
     if (p->loss != CAGD_FIT_SQUARES)
         fit_loss(p->loss, p->loss_scale, square, loss);
+    if (extent == FIT_COST)
+        return loss[0];
+    fit_curve_shares(curve, piece, t, N, N1);
+    for (int m = 0; m <= degree; m++) { /* without their weights: N/(sum N w) */
+        N[m] *= inverse[m];
+        N1[m] *= inverse[m];
+    }
     const double factor = weighted ? sqrt(loss[1]) : 1, scale = -factor * precision;
     const cagd_fit_unknown *local = p->local + p->support.first[piece], *end = p->local + p->support.first[piece + 1];
     for (int r = 0; r < count; r++) {
@@ -235,7 +237,7 @@ static void by_weights(fit_objective *o, const double x[], int newton)
 }
 
 /* Foot and rows of point i; returns its loss. */
-static double point(fit_objective *o, int i, int curve, int weighted)
+static double point(fit_objective *o, int i, int curve, fit_extent extent)
 {
     const fit_problem *p = o->problem;
     double t = o->new_feet[i] = o->feet[i], D[9];
@@ -245,13 +247,13 @@ static double point(fit_objective *o, int i, int curve, int weighted)
                              ? FOOT_AT_END
                              : fit_foot_near(o->curve, p->Q + (size_t)i * (size_t)p->dim, o->limit, &t, D);
     o->new_feet[i] = t;
-    return p->dim == 2 ? point_rows(o, 2, i, kind, t, D, weighted) : point_rows(o, 3, i, kind, t, D, weighted);
+    return p->dim == 2 ? point_rows(o, 2, i, kind, t, D, extent) : point_rows(o, 3, i, kind, t, D, extent);
 }
 
-void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
+void fit_objective_evaluate(fit_objective *o, const double x[], fit_extent extent)
 {
     const fit_problem *p = o->problem;
-    int n = p->unknowns + 1;
+    const int n = p->unknowns + 1, weighted = extent == FIT_ROWS;
     double sum[FIT_BATCH] = {0}, lost[FIT_BATCH] = {0};
     fit_unknowns_to_curve(p, o->base, x, o->curve);
     for (int j = 0; j < p->count; j++)
@@ -262,10 +264,10 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
     const int curve = is_curve(p, x, o->curve);
     for (int i = 0, count; i < p->points; i += count) {
         double loss[FIT_BATCH] = {0};
-        count = curve && fit_batch(o, i, weighted, loss) ? FIT_BATCH : 0;
+        count = curve && fit_batch(o, i, extent, loss) ? FIT_BATCH : 0;
         if (count == 0) { /* one by one, as many */
             for (; count < FIT_BATCH && i + count < p->points; count++)
-                loss[count] = point(o, i + count, curve, weighted);
+                loss[count] = point(o, i + count, curve, extent);
         }
         for (int k = 0; k < FIT_BATCH;
              k++) { /* so many sums, each with the rounding of the last one taken off: Kahan */
@@ -276,11 +278,13 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
     }
     for (int k = 1; k < FIT_BATCH; k++)
         sum[0] += sum[k];
-    const double bending = curve && weighted ? smoothing_rows(o) : 0;
-    memcpy(o->triangle, fit_reduction_triangle(o->rows), (size_t)(n * n) * sizeof *o->triangle);
-    if (weighted && o->newton)
-        o->curvature = fit_curvature_matrix(o->second);
-    by_weights(o, x, weighted && o->newton);
+    const double bending = curve && extent != FIT_DISTANCES ? smoothing_rows(o) : 0;
+    if (extent != FIT_COST) {
+        memcpy(o->triangle, fit_reduction_triangle(o->rows), (size_t)(n * n) * sizeof *o->triangle);
+        if (weighted && o->newton)
+            o->curvature = fit_curvature_matrix(o->second);
+        by_weights(o, x, weighted && o->newton);
+    }
     memmove(o->new_x, x, (size_t)p->unknowns * sizeof *x);
     o->cost = curve ? (sum[0] + bending) / 2 : HUGE_VAL;
     o->evaluated = weighted;
@@ -289,7 +293,7 @@ void fit_objective_evaluate(fit_objective *o, const double x[], int weighted)
 void fit_objective_at(fit_objective *o, const double x[])
 {
     if (!o->evaluated || memcmp(x, o->new_x, (size_t)o->problem->unknowns * sizeof *x) != 0)
-        fit_objective_evaluate(o, x, 1);
+        fit_objective_evaluate(o, x, FIT_ROWS);
 }
 
 void fit_objective_accept(fit_objective *o)
@@ -299,7 +303,8 @@ void fit_objective_accept(fit_objective *o)
     memcpy(o->x, o->new_x, (size_t)o->problem->unknowns * sizeof *o->x);
 }
 
-void fit_objective_begin(fit_objective *o, const fit_curve *curve, const double feet[])
+/* Puts the curve there as the base, with its weights between the bounds, and evaluates it. */
+static void begin(fit_objective *o, const fit_curve *curve, const double feet[], fit_extent extent)
 {
     const fit_problem *p = o->problem;
     fit_curve_copy(o->curve, curve);
@@ -311,8 +316,19 @@ void fit_objective_begin(fit_objective *o, const fit_curve *curve, const double 
             *w = fmin(fmax(*w, p->low), p->high);
         }
     fit_unknowns_of_curve(p, o->base, o->curve, o->x);
-    fit_objective_evaluate(o, o->x, 1);
+    fit_objective_evaluate(o, o->x, extent);
     fit_objective_accept(o);
+}
+
+void fit_objective_begin(fit_objective *o, const fit_curve *curve, const double feet[])
+{
+    begin(o, curve, feet, FIT_ROWS);
+}
+
+double fit_objective_cost(fit_objective *o, const fit_curve *curve, const double feet[])
+{
+    begin(o, curve, feet, FIT_COST);
+    return o->cost;
 }
 
 /* Along log w_j the weight moves by w_j and w_j (P_j - B_j) by itself, along P_j by w_j. */

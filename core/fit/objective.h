@@ -19,6 +19,10 @@
 #include "core/fit/problem.h"
 #include "core/fit/reduction.h"
 
+/* What is evaluated: cost and feet alone; with the rows of the distances themselves, as for squares, and without the
+ * smoothing term; or with those of the cost, and its curvature where it is asked for. */
+typedef enum fit_extent { FIT_COST, FIT_DISTANCES, FIT_ROWS } fit_extent;
+
 typedef struct fit_objective {
     const fit_problem *problem;
     fit_curve *base;  /* from which x is counted, unknowns.h                              */
@@ -47,11 +51,13 @@ void fit_objective_free(fit_objective *objective); /* NULL is allowed */
  * from. */
 void fit_objective_begin(fit_objective *objective, const fit_curve *curve, const double feet[]);
 
-/* Evaluates cost, feet, triangle and, if `newton`, curvature at x.  If not `weighted`, the rows are those of the
- * distances themselves, as for squares, and without the smoothing term. */
-void fit_objective_evaluate(fit_objective *objective, const double x[], int weighted);
+/* The cost of such a curve; nothing else is evaluated, and nothing but its feet accepted. */
+double fit_objective_cost(fit_objective *objective, const fit_curve *curve, const double feet[]);
 
-/* The same, weighted; nothing is done when x is what was evaluated last. */
+/* Evaluates cost and feet at x and, as `extent` says, triangle and, if `newton`, curvature. */
+void fit_objective_evaluate(fit_objective *objective, const double x[], fit_extent extent);
+
+/* The same with FIT_ROWS; nothing is done when x is what was evaluated last. */
 void fit_objective_at(fit_objective *objective, const double x[]);
 
 /* What was evaluated last becomes what is accepted. */

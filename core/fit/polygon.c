@@ -172,12 +172,19 @@ WIDE static void distances(const fit_polygon *g, const double q[], int first, in
 
 void fit_polygon_distances(const fit_polygon *g, const double q[], int first, int last, double square[])
 {
-    distances(g, q, first, last, square);
+    enum { FEW = 4 }; /* sides, for which to choose among processors takes longer than to compute */
+    if (last - first >= FEW)
+        distances(g, q, first, last, square);
+    else if (g->dim == 2)
+        distances_in(g, 2, q, first, last, square);
+    else
+        distances_in(g, 3, q, first, last, square);
 }
 
 double fit_polygon_parameter(const fit_polygon *g, int k, const double q[])
 {
-    return g->t[k] + where_on_side(g, g->dim, k, q) * (g->t[k + 1] - g->t[k]);
+    const double part = g->dim == 2 ? where_on_side(g, 2, k, q) : where_on_side(g, 3, k, q);
+    return g->t[k] + part * (g->t[k + 1] - g->t[k]);
 }
 
 int fit_polygon_is_beside(const fit_polygon *g, int k, double t)

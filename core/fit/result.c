@@ -114,10 +114,11 @@ static int fill_points(const fit_problem *p, const fit_attempt *a, cagd_fit_resu
             square += left[c] * left[c];
         }
         double side = dim == 2 ? D[2] * left[1] - D[3] * left[0] : 1;
-        r->distances[i] = side < 0 ? -sqrt(square) : sqrt(square);
+        const double sign[] = {1, -1}, away = sqrt(square); /* which side it is nobody foresees: no branch */
+        r->distances[i] = sign[side < 0] * away;
         sum += square;
-        if (sqrt(square) > r->largest) {
-            r->largest = sqrt(square);
+        if (away > r->largest) {
+            r->largest = away;
             r->largest_at = i;
         }
         r->out_of_order += !p->options->unordered && i > 0 && t < r->feet[i - 1];
@@ -188,7 +189,7 @@ static int fill_uncertainty(const fit_problem *p, fit_attempt *a, cagd_fit_resul
         r->gradient_norm = r->at_bound[k] ? r->gradient_norm : fmax(r->gradient_norm, g);
     }
     if (p->loss != CAGD_FIT_SQUARES || p->smooth > 0)
-        fit_objective_evaluate(f, f->x, 0), fit_objective_by_theta(f);
+        fit_objective_evaluate(f, f->x, FIT_DISTANCES), fit_objective_by_theta(f);
     for (int k = 0; k < n; k++)
         for (int i = 0; i < n && !p->unknown[k].is_weight; i++)
             f->triangle[i * (n + 1) + k] /= p->unit;

@@ -53,7 +53,7 @@ static void sum_groups(const fit_problem *p, const fit_curve *curve, const doubl
 {
     const int dim = p->dim, last = groups - 1;
     const double start = fit_curve_start(curve), part = (fit_curve_end(curve) - start) / groups;
-    double D[9];
+    double C[3];
     for (int g = 0; g <= last; g++)
         feet[g] = 0;
     for (int i = 0; i < p->points; i++) {
@@ -62,9 +62,9 @@ static void sum_groups(const fit_problem *p, const fit_curve *curve, const doubl
             continue;
         int g = (int)((t[i] - start) / part);
         g = g < 0 ? 0 : g < last ? g : last;
-        fit_curve_derivatives(curve, t[i], D);
+        fit_curve_point(curve, t[i], C);
         for (int c = 0; c < dim; c++)
-            s->Q[g * dim + c] += weight * (p->Q[(size_t)i * (size_t)dim + (size_t)c] - D[c]);
+            s->Q[g * dim + c] += weight * (p->Q[(size_t)i * (size_t)dim + (size_t)c] - C[c]);
         feet[g] += weight * (t[i] - start);
         s->precision[g] += weight;
     }
@@ -90,16 +90,16 @@ static void divide_groups(const fit_curve *curve, int groups, fit_problem *s, do
 {
     const int dim = s->dim;
     const double start = fit_curve_start(curve);
-    double D[9];
+    double C[3];
     int count = 0;
     for (int g = 0; g < groups; g++) {
         double weight = s->precision[g];
         if (!(weight > 0))
             continue;
         feet[count] = start + feet[g] / weight;
-        fit_curve_derivatives(curve, feet[count], D);
+        fit_curve_point(curve, feet[count], C);
         for (int c = 0; c < dim; c++)
-            s->Q[count * dim + c] = D[c] + s->Q[g * dim + c] / weight;
+            s->Q[count * dim + c] = C[c] + s->Q[g * dim + c] / weight;
         s->precision[count++] = sqrt(weight);
     }
     s->points = count;
