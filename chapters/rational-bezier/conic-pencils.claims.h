@@ -19,6 +19,7 @@ $l=(a,b,c)$; $l_i$ stands for the line and for its left-hand side $ax+by+c$.
   quadratic implicit equation $S=S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
 :holds-by: plane_sections_of_a_cone_are_quadratic
 :confirmed-by: conic_value_and_gradient conic_invariants_are_determinants
+:meant: the name, conic section (圆锥曲线) | A conic section is what a plane has in common with a circular cone.
 
 A quadratic equation asks for $(A,B,C)\ne(0,0,0)$.  The converse is not said.
 :::
@@ -249,7 +250,7 @@ parallel lines, and the missing member is the pair of the diagonals.
 :kind: counterexample
 :data: S_1 = 1 0 0 0 0 -1; S_2 = 0 0 1 0 0 -1; S = 1 0 -1 0 0 0; P = (1,1) (1,-1) (-1,1) (-1,-1)
 :instead: S = 1 0 1 0 0 -2
-:result: S_1(P) = 0 0 0 0; S_2(P) = 0 0 0 0; S(P) = 0 0 0 0; number of the λ that give S = 0
+:result: S_1(P) = 0 0 0 0; S_2(P) = 0 0 0 0; S(P) = 0 0 0 0; values of λ that fit = 0
 :given: two pairs of parallel lines, $S_1$ and $S_2$, which meet in the four points $P$, and the pair of lines $S=S_1-S_2$
   through these
 :then: for no $\lambda$ is $(1-\lambda)S_1+\lambda S_2$ a multiple of $S$
@@ -267,7 +268,7 @@ CLAIM(pencil_misses_its_difference)
     given_points(T, "P", 4, 2, P);
     int on_first = passes_through(T, "S_1(P)", S1, 4, P), on_second = passes_through(T, "S_2(P)", S2, 4, P);
     int fits = passes_through(T, "S(P)", S, 4, P), count = members_like(S1, S2, S, 0, 2);
-    found_whole(T, "number of the λ that give S", count);
+    found_whole(T, "values of λ that fit", count);
     about(T, "whether the conic, which passes through the four points, is a member");
     refute(T, on_first && on_second && fits && count == 0);
 }
@@ -454,8 +455,8 @@ CLAIM(pencil_begins_and_ends_with_the_two_conics)
 :::{claim} line_pair_is_a_degenerate_conic
 :title: The product of two linear forms is a conic with determinant 0
 :zh: 两条直线之积
-:given: points $p$, $q$, a line $l$ and a point $(x,y)$
-:then: the line through $p$ and $q$ has at $(x,y)$ the value $(q-p)\times((x,y)-p)$; the product of two lines is a
+:given: the line $l_1$ through two points $p$, $q$, a line $l_2$ and a point $(x,y)$
+:then: $l_1$ has at $(x,y)$ the value $(q-p)\times((x,y)-p)$; the product of the two lines is a
   conic $S$ with $S(x,y)=l_1(x,y)l_2(x,y)$, and its $3\times3$ determinant is 0; $2(A^2+2B^2+C^2)=|\mathbf u|^2|\mathbf v|^2+(\mathbf u\cdot\mathbf v)^2$ with
   $\mathbf u$, $\mathbf v$ the first two coefficients of $l_1$, $l_2$
 :method: The other sides are a determinant of two vectors, the product of two values and scalar products, every coefficient a variable.  Neither $\mathbf u$ nor
@@ -648,7 +649,7 @@ CLAIM(concurrent_lines_lose_a_point)
 :kind: counterexample
 :data: l_1 = 1 0 0; l_2 = 1 0 -1; l_3 = 0 1 0; l_4 = 0 1 -1; S = 1 0 -1 -1/2 1/2 0
 :instead: S = 1 0 1 -1/2 -1/2 0
-:result: common points = (0,0) (0,1) (1,0) (1,1); S(P) = 0 0 0 0; number of the λ that give S = 0
+:result: common points = (0,0) (0,1) (1,0) (1,1); S(P) = 0 0 0 0; values of λ that fit = 0
 :given: the pairs $l_1$, $l_2$ and $l_3$, $l_4$ of the opposite sides of a square, a line $ax+by+c=0$ by its numbers $a,b,c$, and the pair of its diagonals $S$, by
   the $A,\dots,F$ of (3.1.1)
 :then: the diagonals are $l_1l_2-l_3l_4$, and no $\lambda$ gives them
@@ -666,7 +667,7 @@ CLAIM(diagonals_are_no_member)
     int corners = meeting_points(l, P);
     found_points(T, "common points", corners, 2, P);
     int fits = passes_through(T, "S(P)", S, corners, P), count = members_like(S1, S2, S, 0, 2);
-    found_whole(T, "number of the λ that give S", count);
+    found_whole(T, "values of λ that fit", count);
     about(T, "whether the conic, which passes through the four corners, is a member");
     refute(T, fits && count == 0);
 }
