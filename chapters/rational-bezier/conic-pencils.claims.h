@@ -19,15 +19,16 @@ $l=(a,b,c)$; $l_i$ stands for the line and for its left-hand side $ax+by+c$.
   quadratic implicit equation $S=S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
 :holds-by: plane_sections_of_a_cone_are_quadratic
 :confirmed-by: conic_value_and_gradient conic_invariants_are_determinants
-:meant: the name, conic section (圆锥曲线) | A conic section is what a plane has in common with a circular cone.
+:meant: the name, conic section (圆锥曲线) | A conic section is a curve in which a plane cuts a right circular cone, an ellipse, a parabola or a hyperbola; for the degenerate cuts it
+  is true as well.
 
 A quadratic equation asks for $(A,B,C)\ne(0,0,0)$.  The converse is not said.
 :::
 
 :::{claim} plane_sections_of_a_cone_are_quadratic
-:title: A plane cuts a circular cone in a quadratic curve, in any affine coordinates of the plane
-:zh: 平面与圆锥的截线在任意仿射坐标下为二次曲线
-:given: the cone $X^2+Y^2=c^2Z^2$, $c>0$, and the points $O+xU+yV$ of a plane with any origin $O$ and any two directions $U$, $V$
+:title: A plane cuts a right circular cone in a quadratic curve, in any affine coordinates of the plane
+:zh: 平面与直圆锥的截线在任意仿射坐标下为二次曲线
+:given: the right circular cone $X^2+Y^2=c^2Z^2$, $c>0$, and the points $O+xU+yV$ of a plane with any origin $O$ and any two directions $U$, $V$ that span it
 :let: $q(P,Q)=P_1Q_1+P_2Q_2-c^2P_3Q_3$ and $A=q(U,U)$, $B=q(U,V)$, $C=q(V,V)$, $D=q(O,U)$, $E=q(O,V)$, $F=q(O,O)$
 :then: $X^2+Y^2-c^2Z^2=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F$ at $O+xU+yV$; $(A+c^2U_3^2)(C+c^2V_3^2)=(B+c^2U_3V_3)^2+(U_1V_2-U_2V_1)^2$; and for
   $V=(kU_1,kU_2,v)$ it is $B=kA+c^2U_3(kU_3-v)$
@@ -35,8 +36,8 @@ A quadratic equation asks for $(A,B,C)\ne(0,0,0)$.  The converse is not said.
   $(V_1,V_2)$ are not 0, as $U_1^2+U_2^2=c^2U_3^2$ and $U\ne0$, so that $V=(kU_1,kU_2,v)$, and by the third one $v=kU_3$: $U$ and $V$ would be
   parallel, and span no plane.  So the equation is quadratic.
 :over: c O# U# V# k v: -; x# y#: points
-:scope: every plane and every circular cone
-:harmless: $c>0$ | every circular cone has such a $c$
+:scope: every plane and every right circular cone
+:harmless: $c>0$ | every right circular cone has such a $c$
 :control: the term $xy$ counted once, not twice
 :::
 */
