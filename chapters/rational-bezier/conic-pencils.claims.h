@@ -594,7 +594,7 @@ what is left.  The last example is the square with its diagonals, which is the m
 :data: l_1 = 1 0 0; l_2 = 0 1 0; l_3 = 1 0 -1; l_4 = 0 1 -1
 :instead: l_3 = 1 1 -3; l_4 = 1 -1 -1
 :result: common points = (0,1) (1,0)
-:given: the pair of the axes $l_1$, $l_2$, and a pair $l_3$, $l_4$ of which each is parallel to one of them, a line $ax+by+c=0$ by its numbers $a,b,c$
+:given: the pair of the axes $l_1$, $l_2$, and a pair $l_3$, $l_4$ of which each is parallel to one of the axes; a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: only two of the four points exist
 :method: The common points of the lines are computed and counted.
 :control: a second pair that is parallel to no axis
@@ -618,8 +618,8 @@ CLAIM(parallel_lines_meet_in_two_points)
 :data: l_1 = 1 0 0; l_2 = 0 1 0; l_3 = 1 -1 0; l_4 = 1 1 -1; S = 1 0 1 -1/2 -1/2 0
 :instead: S = 1 1 -1 -1/2 1/2 0
 :result: common points = (0,0) (0,1) (1,0); S(P) = 0 0 0; determinant = -1
-:given: the pair of the axes $l_1$, $l_2$, a pair $l_3$, $l_4$ of which one line passes through the origin, a line $ax+by+c=0$ by its numbers
-  $a,b,c$, and a circle $S$ through the common points, which are three, by the $A,\dots,F$ of (3.1.1)
+:given: the pair of the axes $l_1$, $l_2$, a pair $l_3$, $l_4$ of which one line passes through the origin, and a circle $S$ through
+  the common points, which are three; a line is given by the coefficients $a,b,c$ of $ax+by+c$, the circle by the $A,\dots,F$ of (3.1.1)
 :then: the circle is no member of the pencil
 :method: The determinant of the coefficients of $x^2$, $2xy$ and $y^2$ of $l_1l_2$, $l_3l_4$ and the conic is 0 for a
   member.
@@ -651,7 +651,7 @@ CLAIM(concurrent_lines_lose_a_point)
 :data: l_1 = 1 0 0; l_2 = 1 0 -1; l_3 = 0 1 0; l_4 = 0 1 -1; S = 1 0 -1 -1/2 1/2 0
 :instead: S = 1 0 1 -1/2 -1/2 0
 :result: common points = (0,0) (0,1) (1,0) (1,1); S(P) = 0 0 0 0; values of λ that fit = 0
-:given: the pairs $l_1$, $l_2$ and $l_3$, $l_4$ of the opposite sides of a square, a line $ax+by+c=0$ by its numbers $a,b,c$, and the pair of its diagonals $S$, by
+:given: the pairs $l_1$, $l_2$ and $l_3$, $l_4$ of the opposite sides of a square, and the pair of its diagonals $S$; a line is given by the coefficients $a,b,c$ of $ax+by+c$, $S$ by
   the $A,\dots,F$ of (3.1.1)
 :then: the diagonals are $l_1l_2-l_3l_4$, and no $\lambda$ gives them
 :method: The real zeros in $\lambda$ of a determinant of coefficients are counted.

@@ -21,7 +21,7 @@ all triangles.
 :printed: In particular, when the line $l_3$ falls on $l_4$, $(1-\lambda)l_1l_2+\lambda l_3^2=0$ represents the pencil of the
   conics through $R_0$ and $R_2$ that touch $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$.
 :holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings conics_touching_parallel_lines_are_limings
-:hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
+:hypothesis: double_line_has_no_tangent | $\lambda\ne1$: otherwise the conic is the line $l_3$ taken twice, which touches nothing.
 :hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$; so that $l_3$ joins two points; $l_1$ and
   $l_2$ may be parallel.
 :hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3^2=0$ is missing.
@@ -227,7 +227,7 @@ The factor $(1-\lambda)l_2(R_0)$ also shows when nothing is touched: for $\lambd
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); λ = 1
 :instead: λ = 1/2
 :result: gradient at R_0 = (0,0)
-:given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and the last $\lambda$ of the pencil; a line is given by the coefficients $a,b,c$ of $ax+by+c$
+:given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and $\lambda=1$; a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: the gradient at $R_0$ is zero, so the conic has no tangent there
 :method: The gradient is computed.
 :control: a $\lambda$ between 0 and 1
