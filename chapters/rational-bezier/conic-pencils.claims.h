@@ -19,14 +19,16 @@ $l=(a,b,c)$; $l_i$ stands for the line and for its left-hand side $ax+by+c$.
   quadratic implicit equation $S=S(x,y)=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F=0$.
 :holds-by: plane_sections_of_a_cone_are_quadratic
 :confirmed-by: conic_value_and_gradient conic_invariants_are_determinants
+:meant: the name, conic section (圆锥曲线) | A conic section is a curve in which a plane cuts a right circular cone, an ellipse, a parabola or a hyperbola; for the degenerate cuts it
+  is true as well.
 
 A quadratic equation asks for $(A,B,C)\ne(0,0,0)$.  The converse is not said.
 :::
 
 :::{claim} plane_sections_of_a_cone_are_quadratic
-:title: A plane cuts a circular cone in a quadratic curve, in any affine coordinates of the plane
-:zh: 平面与圆锥的截线在任意仿射坐标下为二次曲线
-:given: the cone $X^2+Y^2=c^2Z^2$, $c>0$, and the points $O+xU+yV$ of a plane with any origin $O$ and any two directions $U$, $V$
+:title: A plane cuts a right circular cone in a quadratic curve, in any affine coordinates of the plane
+:zh: 平面与直圆锥的截线在任意仿射坐标下为二次曲线
+:given: the right circular cone $X^2+Y^2=c^2Z^2$, $c>0$, and the points $O+xU+yV$ of a plane with any origin $O$ and any two directions $U$, $V$ that span it
 :let: $q(P,Q)=P_1Q_1+P_2Q_2-c^2P_3Q_3$ and $A=q(U,U)$, $B=q(U,V)$, $C=q(V,V)$, $D=q(O,U)$, $E=q(O,V)$, $F=q(O,O)$
 :then: $X^2+Y^2-c^2Z^2=Ax^2+2Bxy+Cy^2+2Dx+2Ey+F$ at $O+xU+yV$; $(A+c^2U_3^2)(C+c^2V_3^2)=(B+c^2U_3V_3)^2+(U_1V_2-U_2V_1)^2$; and for
   $V=(kU_1,kU_2,v)$ it is $B=kA+c^2U_3(kU_3-v)$
@@ -34,8 +36,8 @@ A quadratic equation asks for $(A,B,C)\ne(0,0,0)$.  The converse is not said.
   $(V_1,V_2)$ are not 0, as $U_1^2+U_2^2=c^2U_3^2$ and $U\ne0$, so that $V=(kU_1,kU_2,v)$, and by the third one $v=kU_3$: $U$ and $V$ would be
   parallel, and span no plane.  So the equation is quadratic.
 :over: c O# U# V# k v: -; x# y#: points
-:scope: every plane and every circular cone
-:harmless: $c>0$ | every circular cone has such a $c$
+:scope: every plane and every right circular cone
+:harmless: $c>0$ | every right circular cone has such a $c$
 :control: the term $xy$ counted once, not twice
 :::
 */
@@ -249,7 +251,7 @@ parallel lines, and the missing member is the pair of the diagonals.
 :kind: counterexample
 :data: S_1 = 1 0 0 0 0 -1; S_2 = 0 0 1 0 0 -1; S = 1 0 -1 0 0 0; P = (1,1) (1,-1) (-1,1) (-1,-1)
 :instead: S = 1 0 1 0 0 -2
-:result: S_1(P) = 0 0 0 0; S_2(P) = 0 0 0 0; S(P) = 0 0 0 0; number of the λ that give S = 0
+:result: S_1(P) = 0 0 0 0; S_2(P) = 0 0 0 0; S(P) = 0 0 0 0; values of λ that fit = 0
 :given: two pairs of parallel lines, $S_1$ and $S_2$, which meet in the four points $P$, and the pair of lines $S=S_1-S_2$
   through these
 :then: for no $\lambda$ is $(1-\lambda)S_1+\lambda S_2$ a multiple of $S$
@@ -267,7 +269,7 @@ CLAIM(pencil_misses_its_difference)
     given_points(T, "P", 4, 2, P);
     int on_first = passes_through(T, "S_1(P)", S1, 4, P), on_second = passes_through(T, "S_2(P)", S2, 4, P);
     int fits = passes_through(T, "S(P)", S, 4, P), count = members_like(S1, S2, S, 0, 2);
-    found_whole(T, "number of the λ that give S", count);
+    found_whole(T, "values of λ that fit", count);
     about(T, "whether the conic, which passes through the four points, is a member");
     refute(T, on_first && on_second && fits && count == 0);
 }
@@ -454,8 +456,8 @@ CLAIM(pencil_begins_and_ends_with_the_two_conics)
 :::{claim} line_pair_is_a_degenerate_conic
 :title: The product of two linear forms is a conic with determinant 0
 :zh: 两条直线之积
-:given: points $p$, $q$, a line $l$ and a point $(x,y)$
-:then: the line through $p$ and $q$ has at $(x,y)$ the value $(q-p)\times((x,y)-p)$; the product of two lines is a
+:given: the line $l_1$ through two points $p$, $q$, a line $l_2$ and a point $(x,y)$
+:then: $l_1$ has at $(x,y)$ the value $(q-p)\times((x,y)-p)$; the product of the two lines is a
   conic $S$ with $S(x,y)=l_1(x,y)l_2(x,y)$, and its $3\times3$ determinant is 0; $2(A^2+2B^2+C^2)=|\mathbf u|^2|\mathbf v|^2+(\mathbf u\cdot\mathbf v)^2$ with
   $\mathbf u$, $\mathbf v$ the first two coefficients of $l_1$, $l_2$
 :method: The other sides are a determinant of two vectors, the product of two values and scalar products, every coefficient a variable.  Neither $\mathbf u$ nor
@@ -592,7 +594,7 @@ what is left.  The last example is the square with its diagonals, which is the m
 :data: l_1 = 1 0 0; l_2 = 0 1 0; l_3 = 1 0 -1; l_4 = 0 1 -1
 :instead: l_3 = 1 1 -3; l_4 = 1 -1 -1
 :result: common points = (0,1) (1,0)
-:given: the pair of the axes $l_1$, $l_2$, and a pair $l_3$, $l_4$ of which each is parallel to one of them, a line $ax+by+c=0$ by its numbers $a,b,c$
+:given: the pair of the axes $l_1$, $l_2$, and a pair $l_3$, $l_4$ of which each is parallel to one of the axes; a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: only two of the four points exist
 :method: The common points of the lines are computed and counted.
 :control: a second pair that is parallel to no axis
@@ -616,8 +618,8 @@ CLAIM(parallel_lines_meet_in_two_points)
 :data: l_1 = 1 0 0; l_2 = 0 1 0; l_3 = 1 -1 0; l_4 = 1 1 -1; S = 1 0 1 -1/2 -1/2 0
 :instead: S = 1 1 -1 -1/2 1/2 0
 :result: common points = (0,0) (0,1) (1,0); S(P) = 0 0 0; determinant = -1
-:given: the pair of the axes $l_1$, $l_2$, a pair $l_3$, $l_4$ of which one line passes through the origin, a line $ax+by+c=0$ by its numbers
-  $a,b,c$, and a circle $S$ through the common points, which are three, by the $A,\dots,F$ of (3.1.1)
+:given: the pair of the axes $l_1$, $l_2$, a pair $l_3$, $l_4$ of which one line passes through the origin, and a circle $S$ through
+  the common points, which are three; a line is given by the coefficients $a,b,c$ of $ax+by+c$, the circle by the $A,\dots,F$ of (3.1.1)
 :then: the circle is no member of the pencil
 :method: The determinant of the coefficients of $x^2$, $2xy$ and $y^2$ of $l_1l_2$, $l_3l_4$ and the conic is 0 for a
   member.
@@ -648,8 +650,8 @@ CLAIM(concurrent_lines_lose_a_point)
 :kind: counterexample
 :data: l_1 = 1 0 0; l_2 = 1 0 -1; l_3 = 0 1 0; l_4 = 0 1 -1; S = 1 0 -1 -1/2 1/2 0
 :instead: S = 1 0 1 -1/2 -1/2 0
-:result: common points = (0,0) (0,1) (1,0) (1,1); S(P) = 0 0 0 0; number of the λ that give S = 0
-:given: the pairs $l_1$, $l_2$ and $l_3$, $l_4$ of the opposite sides of a square, a line $ax+by+c=0$ by its numbers $a,b,c$, and the pair of its diagonals $S$, by
+:result: common points = (0,0) (0,1) (1,0) (1,1); S(P) = 0 0 0 0; values of λ that fit = 0
+:given: the pairs $l_1$, $l_2$ and $l_3$, $l_4$ of the opposite sides of a square, and the pair of its diagonals $S$; a line is given by the coefficients $a,b,c$ of $ax+by+c$, $S$ by
   the $A,\dots,F$ of (3.1.1)
 :then: the diagonals are $l_1l_2-l_3l_4$, and no $\lambda$ gives them
 :method: The real zeros in $\lambda$ of a determinant of coefficients are counted.
@@ -666,7 +668,7 @@ CLAIM(diagonals_are_no_member)
     int corners = meeting_points(l, P);
     found_points(T, "common points", corners, 2, P);
     int fits = passes_through(T, "S(P)", S, corners, P), count = members_like(S1, S2, S, 0, 2);
-    found_whole(T, "number of the λ that give S", count);
+    found_whole(T, "values of λ that fit", count);
     about(T, "whether the conic, which passes through the four corners, is a member");
     refute(T, fits && count == 0);
 }

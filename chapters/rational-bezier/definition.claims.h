@@ -169,7 +169,7 @@ polynomials.
 :figure: homogeneous_line
 
 What is checked is that de Casteljau's recursion, by which the points are computed here, gives this sum in each of the four
-coordinates.
+coordinates.  The interval of which the verdict speaks is that of a curve that is cut, in (4); the formula is for $[0,1]$.
 :::
 */
 
@@ -401,9 +401,9 @@ is for those who do.
 :printed: To guarantee the convex hull property and to avoid $\omega(t)=0$ one usually prescribes $\omega_i>0$.
 :holds-by: positive_terms_make_a_convex_mean mean_grows_by_one_term
 :confirmed-by: positive_weights_keep_denominator_positive curve_points_are_convex_combinations
-:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
+:needs: weights_of_both_signs_make_a_pole | the sentence itself: one usually prescribes $\omega_i>0$ | the weights are
   positive: for $\omega(t)\ne0$.
-:needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
+:needs: curve_leaves_hull_with_negative_weight | the sentence itself: one usually prescribes $\omega_i>0$ | the
   weights are positive: for the convex hull property.
 :meant: the words: to guarantee, one usually prescribes | Positive weights suffice; that they are necessary is not said.
 :reading: denominator_may_be_positive_with_negative_weight | Read as "only positive weights avoid $\omega(t)=0$".  The

@@ -32,6 +32,8 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 :meant: the formulas (3.2.3) and (3.2.4), which stand below it and have multiple end points | The end edges are the first and the last of positive
   length, $R_0R_k$ and $R_{n-h}R_n$.
 :figure: end_tangents
+
+Where all points coincide there is neither an edge nor a tangent, and the curve is that point.
 :::
 */
 
@@ -222,6 +224,7 @@ The numbers $k$ and $h$ exist unless all points coincide, and then $k+h\le n+1$.
 :zh: 有首末变化处时 k + h ≤ n + 1
 :given: a polygon $R_0,\dots,R_n$ of which not all points coincide; $R_k$ the first point that differs from the one before it, $R_l$ the last one, so that
   $l=k+m$, $m\ge0$
+:where: not all points coincide
 :then: the last $h=n+1-l$ points coincide, $R_{n-h}\ne R_{n-h+1}$, and $n+1-(k+h)=m\ge0$
 :method: Where not all points coincide there is a first and a last change, and the first one does not stand behind the last.  The numbers are variables.
 :degrees: all
@@ -534,9 +537,10 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_sign)
 :zh: t=1 处所印导矢系数有误
 :kind: counterexample
 :data: n = 3; k = 2; h = 1; R = 0 0 1 2; ω = 1 1 1 1
-:result: R^(h)(1) = 3; R^(h)(1) as printed = 6; pairs k, h of a smaller degree with two factors = 0
+:result: R^(h)(1) = 3; R^(h)(1) as printed = 6; pairs k, h with different factors in a smaller degree = 0
 :given: a cubic curve on the line with equal weights, whose first $k$ points coincide, while the last point is simple
-:then: $R^{(h)}(1)$ is smaller than what is printed, with the right sign
+:then: $R^{(h)}(1)$ is smaller than what is printed, with the right sign; in no smaller degree has a pair $k,h\ge1$, $k+h\le n+1$, two different factors
+  $\frac{n!}{(n-k)!}$ and $\frac{n!}{(n-h)!}$
 :method: Both sides are computed exactly.  No smaller degree shows this slip: for $n\le2$ all pairs with $k+h\le n+1$ are visited, and
   $\frac{n!}{(n-k)!}=\frac{n!}{(n-h)!}$.
 :control: the factor $n!/(n-h)!$
@@ -550,7 +554,7 @@ CLAIM(printed_end_derivative_at_one_has_the_wrong_factor)
         for (int k = 1; k <= n; k++)
             for (int h = 1; k + h <= n + 1; h++)
                 two_factors += G(falling_factorial)(n, k) != G(falling_factorial)(n, h);
-    found_whole(T, "pairs k, h of a smaller degree with two factors", two_factors);
+    found_whole(T, "pairs k, h with different factors in a smaller degree", two_factors);
     G(compare_last_derivative)(T, e, G(falling_factorial)(e.n, fault(T, e.h, e.k)));
 }
 #endif

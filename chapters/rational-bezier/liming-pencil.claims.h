@@ -7,6 +7,8 @@ all triangles.
 */
 #include "exact/record/roots.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
@@ -19,10 +21,11 @@ all triangles.
 :printed: In particular, when the line $l_3$ falls on $l_4$, $(1-\lambda)l_1l_2+\lambda l_3^2=0$ represents the pencil of the
   conics through $R_0$ and $R_2$ that touch $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$.
 :holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings conics_touching_parallel_lines_are_limings
-:hypothesis: double_line_has_no_tangent | $\lambda\ne1$.
+:hypothesis: double_line_has_no_tangent | $\lambda\ne1$: otherwise the conic is the line $l_3$ taken twice, which touches nothing.
 :hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$; so that $l_3$ joins two points; $l_1$ and
   $l_2$ may be parallel.
 :hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3^2=0$ is missing.
+:meant: the equation, which leaves $\lambda l_3^2=0$ where $l_1=0$ or $l_2=0$ | $R_0$ is the point where $l_3$ meets $l_1$, and $R_2$ the point where it meets $l_2$.
 :figure: limings_pencil
 
 The frame $\{R_1;R_1R_0,R_1R_2\}$, for which this is stated (`fig-3.1.1`), is that of the sentences after it, and $l_1$ and $l_2$ are not parallel there.
@@ -224,7 +227,7 @@ The factor $(1-\lambda)l_2(R_0)$ also shows when nothing is touched: for $\lambd
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); λ = 1
 :instead: λ = 1/2
 :result: gradient at R_0 = (0,0)
-:given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and the last $\lambda$ of the pencil; a line is given by the coefficients $a,b,c$ of $ax+by+c$
+:given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and $\lambda=1$; a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: the gradient at $R_0$ is zero, so the conic has no tangent there
 :method: The gradient is computed.
 :control: a $\lambda$ between 0 and 1
@@ -255,7 +258,7 @@ CLAIM(flat_frame_has_no_tangent) { G(refute_tangent)(T); }
 :kind: counterexample
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); R_2 = (0,1); κ = -1
 :instead: κ = -2
-:result: AC-B² = 3/4; S(R_0), S(R_2) = 0 0; gradient at R_0 = (0,1); gradient at R_2 = (1,0); number of the λ that give S = 0
+:result: AC-B² = 3/4; S(R_0), S(R_2) = 0 0; gradient at R_0 = (0,1); gradient at R_2 = (1,0); values of λ that fit = 0
 :given: the axes $l_1$ and $l_2$, the line $l_3$ through their points $R_0$ and $R_2$, and the conic $S=l_1l_2+\kappa l_3^2$; a line is given by the coefficients $a,b,c$ of $ax+by+c$,
   a conic by the $A,\dots,F$ of (3.1.1)
 :then: $S$ is an ellipse, $AC-B^2>0$, which touches $l_1$ in $R_0$ and $l_2$ in $R_2$; for no $\lambda$ is
@@ -284,7 +287,7 @@ CLAIM(limings_pencil_misses_one_conic)
     found_points(T, "S(R_0), S(R_2)", 2, 1, value);
     found_points(T, "gradient at R_0", 1, 2, g0);
     found_points(T, "gradient at R_2", 1, 2, g2);
-    found_whole(T, "number of the λ that give S", count);
+    found_whole(T, "values of λ that fit", count);
     int touches = is_zero_q(value[0]) && is_zero_q(g0[0]) && !is_zero_q(g0[1]) && is_zero_q(value[1]) &&
                   is_zero_q(g2[1]) && !is_zero_q(g2[0]);
     about(T, "whether the ellipse, which touches both lines, is a member");
@@ -434,14 +437,14 @@ new number, unless the equations are scaled to fit.  And the frame needs the poi
 :holds-by: limings_pencil_in_the_frame every_scaling_takes_the_normal_form
 :meant: what follows, by which one point of the curve determines $\lambda$ of (3.1.4) | $\lambda$ of (3.1.4) is the parameter of the pencil in this form; it need not be the number
   of (3.1.3).
-:needs: half_circle_has_no_frame | the line before: let $l_1=0$ and $l_2=0$ meet in $R_1$ | $l_1$ and $l_2$ meet.
+:needs: half_circle_has_no_frame | the sentence itself: let $l_1=0$ and $l_2=0$ meet in $R_1$ | $l_1$ and $l_2$ meet.
   With parallel tangents, as of a half circle, there is no $R_1$.
 :needs: collinear_points_are_no_frame | the sentence itself: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not
   lie on a line: they form an affine frame.
 :reading: every_scaling_takes_the_normal_form | $\lambda$ of (3.1.4) is a new parameter; then it is so for each conic of the
   pencil, with one of the two signs.
 :reading: scaled_lines_change_lambda | $\lambda$ is the same number in both.  This is so, with the minus sign, when
-  the lines are written as determinants of their points (`limings_pencil_in_the_frame`), and not for all factors of
+  the lines are written as determinants of their points, and not for all factors of
   their equations.
 :figure: limings_pencil
 :::
@@ -700,8 +703,8 @@ CLAIM(lambda_inside_the_triangle)
     /* λ = ab/(1+ab), 1 - λ = 1/(1+ab) */
     same(T, lambda, div(ab, add(one, ab)));
     same(T, sub(one, lambda), div(one, add(one, ab)));
-    nonnegative(T, div(ab, add(one, ab)));
-    nonnegative(T, div(one, add(one, ab)));
+    G(must_be_positive)(T, div(ab, add(one, ab)));
+    G(must_be_positive)(T, div(one, add(one, ab)));
 }
 
 #if RATIONAL

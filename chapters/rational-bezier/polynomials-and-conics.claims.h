@@ -233,14 +233,15 @@ CLAIM(line_pair_carries_a_segment)
 :holds-by: mean_grows_by_one_term change_of_parameter_acts_on_one_factor tangent_conics_are_rational_quadratics conics_touching_two_lines_are_limings
   every_point_of_the_arc_is_reached bernstein_sum_of_powers_is_a_power
 :confirmed-by: rational_form_contains_the_polynomial_one
-:argued: | About any point of an ellipse, parabola or hyperbola there are two tangents that meet, and the short arc between their points is inside the
-  triangle of these and of the point where they meet.  There $xy>0$, so $\nu/\mu<0$ and the three weights are positive, and with $\lambda/(1-\lambda)=-\nu/\mu$ the
+:argued: | For a polynomial curve let the weights be equal: by (5) of `change_of_parameter_acts_on_one_factor` the denominator is the weight itself, and what is left is
+  $\sum B_i^n(t)R_i$, which by (6) there is any polynomial, coordinate by coordinate.  For a conic: about any point of an ellipse, parabola or hyperbola there are two
+  tangents that meet, and the short arc between their points is inside the triangle of these and of the point where they meet.  There $xy>0$, so $\nu/\mu<0$ and the three weights are positive, and with $\lambda/(1-\lambda)=-\nu/\mu$ the
   curve reaches every point of the arc.
 :meant: the examples, which are arcs of such curves | To represent a curve is to run through an arc of it.
 :figure: polynomial_on_conics
 
 The fuselage is an example of the source; that both kinds are one formula is what is
-decided.
+decided.  For a polynomial curve the positive weights of which the verdict speaks are equal; for a conic they are $1,1,-4\nu/\mu$.
 :::
 
 A denominator takes the obstacle away, since now it is a quotient of polynomials that has to satisfy the equation.  That
@@ -311,10 +312,10 @@ CLAIM(tangent_conics_are_rational_quadratics)
 :::{statement} wang-ch3:references-cited
 :title: The numbered references
 :zh: 参考文献的引用
-:printed: the references 1 to 10
+:printed: the list has the references 1 to 10, and the text cites them by these numbers
 :holds-by: each_of_ten_references_is_cited_once
 
-Rowin, Coons, Ball, Forrest, Farin, Pigel and 刘鼎元 are named in the opening with the numbers 1 to 7, Liming with 8, which is the book of Faux and Pratt, the rule of
+Every number that is cited is in the list, and every entry of the list is cited.  Rowin, Coons, Ball, Forrest, Farin, Pigel and 刘鼎元 are named in the opening with the numbers 1 to 7, Liming with 8, which is the book of Faux and Pratt, the rule of
 Descartes with 9 and the genus with 10.  Reference 1 is of the Boeing Company, printed Beoing; the report of reference 2, of 1967, is on space forms, printed figures; reference 3 is about the
 conic lofting tile, printed title; reference 4 is in number 4 of its volume, printed 2; the author of reference 6 is Piegl, printed Pigel here and in the opening.
 :::
@@ -323,10 +324,10 @@ conic lofting tile, printed title; reference 4 is in number 4 of its volume, pri
 :title: The numbers cited are 1 to 10, in this order
 :zh: 参考文献 1 至 10 依次被引用
 :kind: decision
-:given: the citations of the chapter in their order
-:data: citations = 1 2 3 4 5 6 7 8 9 10
+:given: the citations by numbers in the text of the chapter, in their order, and how many references the list has, numbered from 1
+:data: citations = 1 2 3 4 5 6 7 8 9 10; references = 10
 :instead: citations = 1 2 3 4 5 6 7 8 8 10
-:then: citation number $k$ is that of reference $k$
+:then: the $k$-th citation is that of reference $k$, and the last one that of the last reference
 :method: The numbers are compared one after the other.
 :scope: the numbered references
 :control: one reference cited twice, and the next not at all
@@ -334,11 +335,12 @@ conic lofting tile, printed title; reference 4 is in number 4 of its volume, pri
 */
 CLAIM(each_of_ten_references_is_cited_once)
 {
-    enum { REFERENCES = 10 };
-    num cited[REFERENCES];
-    given_points(T, "citations", REFERENCES, 1, cited);
-    for (int k = 0; k < REFERENCES; k++)
+    enum { CITATIONS = 10 };
+    num cited[CITATIONS];
+    given_points(T, "citations", CITATIONS, 1, cited);
+    for (int k = 0; k < CITATIONS; k++)
         same(T, cited[k], from_int(k + 1));
+    same(T, cited[CITATIONS - 1], from_int(given_whole(T, "references")));
 }
 #endif
 #include "chapters/judge/claims_off.h"

@@ -6,6 +6,8 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 */
 #include "exact/record/sign.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
@@ -17,7 +19,9 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :holds-by: signed_ratios_give_the_point ratios_of_lengths_inside_the_triangle ratios_on_the_curve
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs.
 :needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
-  R_0,R_2$, and the tangent is parallel to neither $l_1=0$ nor $l_2=0$.
+  R_0,R_2$.
+:needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: the tangent is
+  parallel to neither $l_1=0$ nor $l_2=0$.
 :::
 
 :::{statement} wang-ch3:3.1-R-from-g
@@ -28,18 +32,20 @@ rational Bézier curve of degree 2 appears.  Coordinates are again those of the 
 :hypothesis: lengths_give_another_point | $R$ lies inside the triangle, or the ratios have signs; the example compares the
   coordinate $x$ of the point.
 :needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: $R\ne
-  R_0,R_2$, and the tangent is parallel to neither $l_1=0$ nor $l_2=0$.
+  R_0,R_2$.
+:needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | both ratios exist: the tangent is
+  parallel to neither $l_1=0$ nor $l_2=0$.
 :::
 
 :::{claim} signed_ratios_give_the_point
 :title: The signed ratios determine the point
 :zh: 带符号的比确定点
-:given: a triangle, and a point with $x+y\ne1$, whose ratios are $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$ by
-  `ratios_on_the_curve`
+:given: a triangle, and a point with $x+y\ne1$, whose ratios are $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y-1}$
 :where: $x+y\ne1$
 :then: $g_1+2+g_2=\frac{-2}{x+y-1}\ne0$, $x=\frac{g_1}{g_1+2+g_2}$, $y=\frac{g_2}{g_1+2+g_2}$ and
   $R_1+x(R_0-R_1)+y(R_2-R_1)=\frac{g_1R_0+2R_1+g_2R_2}{g_1+2+g_2}$
-:method: Identities in $x$, $y$ and one coordinate of the triangle; the other coordinate is the same.
+:method: Identities in $x$, $y$ and one coordinate of the triangle; the other coordinate is the same.  That the ratios are these is
+  `ratios_on_the_curve`.
 :control: 1 for 2 in the denominators
 :::
 */
@@ -144,8 +150,8 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
     about(T, "t from g1");
     /* t = ω_0/(ω_0 + ω_1 g_1) */
     same(T, div(w[0], add(w[0], mul(w[1], g[0]))), t);
-    nonnegative(T, tg);
-    nonnegative(T, sub(one, tg));
+    G(must_be_positive)(T, tg);
+    G(must_be_positive)(T, sub(one, tg));
     G(ratios_at)(w, tg, fault(T, 0, 1), g);
     about(T, "the ratios at t_g");
     same(T, g[0], ratio);
@@ -278,9 +284,9 @@ CLAIM(rational_quadratic_of_the_arc)
     /* 4λ/(1-λ) = ω_0 ω_2/ω_1² */
     same(T, div(mul(from_int(4), lambda), sub(one, lambda)), div(outer, middle));
     about(T, "inside the triangle");
-    nonnegative(T, P[0]);
-    nonnegative(T, P[1]);
-    nonnegative(T, sub(one, add(P[0], P[1])));
+    G(must_be_positive)(T, P[0]);
+    G(must_be_positive)(T, P[1]);
+    G(must_be_positive)(T, sub(one, add(P[0], P[1])));
     about(T, "the ends");
     G(rational_point)(2, 1, R, w, zero, &point);
     same(T, point, R[0]);
@@ -315,8 +321,8 @@ CLAIM(every_point_of_the_arc_is_reached)
     same(T, div(mul(x, y), mul(s, s)), mul(a, b));
     same(T, mul(a, b), div(lambda, sub(one, lambda)));
     about(T, "t and 1 - t");
-    nonnegative(T, t);
-    nonnegative(T, sub(one, t));
+    G(must_be_positive)(T, t);
+    G(must_be_positive)(T, sub(one, t));
     num frame[6] = {one, zero, zero, zero, zero, one};
     G(rational_point)(2, 2, frame, w, t, P);
     about(T, "the point and R(t)");
@@ -397,6 +403,7 @@ CLAIM(points_alone_do_not_determine_the_arc)
   on a line.
 :needs: sign_of_the_middle_weight_changes_the_arc | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths; the new
   weights have to give such, too | the new weights, too, are of one sign.
+:meant: the sentence before, by which (3.1.5) represents one arc | The arc stays the same: what changes is its representation, and what does not is the constant.
 :figure: middle_weight_sign
 :::
 

@@ -10,6 +10,8 @@ $\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an id
 */
 #include "exact/record/roots.h"
 
+#include "chapters/judge/elementary.h"
+
 #include "chapters/judge/claims_on.h"
 #include "chapters/rational-bezier/conics.h"
 
@@ -313,6 +315,9 @@ CLAIM(end_has_but_one_ratio)
 :needs: end_has_but_one_ratio | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in points $A$ and $B$ | $R\ne
   R_0,R_2$: there the tangent is one of the two lines.
 :figure: tangent_ratios
+
+Where $A$ and $B$ are points, $xy\ne0$ and $x+y\ne1$: for $\lambda\ne0,1$ the equation (3.1.4) has $xy=0$ only together with $x+y=1$, which is $R_0$ or $R_2$; for
+$\lambda=0$ the curve is the two lines themselves, and for $\lambda=1$ a double line, without a tangent.
 :::
 
 :::{claim} ratios_of_lengths_inside_the_triangle
@@ -363,8 +368,8 @@ CLAIM(ratios_of_lengths_inside_the_triangle)
         same(T, square[0], mul(mul(ratio, ratio), square[1]));
         about(T, side == 0 ? "A between R1 and R0" : "B between R1 and R2");
         same(T, share, div(ratio, add(one, ratio)));
-        nonnegative(T, div(ratio, add(one, ratio)));
-        nonnegative(T, sub(one, div(ratio, add(one, ratio))));
+        G(must_be_positive)(T, div(ratio, add(one, ratio)));
+        G(must_be_positive)(T, sub(one, div(ratio, add(one, ratio))));
     }
 }
 
@@ -565,7 +570,7 @@ while the sentence is about every curve of the family.
 The source names $0<\lambda<1$ and the minus sign before, for the points of the triangle; what it
 prints here is about every curve of the family.  With $0<\lambda<1$ and the minus sign the two ratios have one sign at every
 point, so that it does not matter whether they have signs or are lengths.  With the plus sign the product of the signed
-ratios is $-4\lambda/(1-\lambda)$.
+ratios is $-4\lambda/(1-\lambda)$.  On a curve with $0<\lambda<1$ only $R_0$ and $R_2$ have $xy=0$ or $x+y=1$.
 :::
 
 :::{statement} wang-ch3:3.1-g-product-constant
@@ -573,10 +578,13 @@ ratios is $-4\lambda/(1-\lambda)$.
 :zh: g_1 g_2 与动点无关
 :printed: The value of $g_1g_2$ does not depend on the moving point $R$.
 :holds-by: product_of_ratios_is_constant
-:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_0,R_2$: there the ratios are $0/0$.
+:needs: end_has_but_one_ratio | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $R\ne R_0,R_2$: there one of the two ratios is $0/0$.
 :needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | the tangent is parallel to neither $l_1=0$ nor
   $l_2=0$, so that $A$ and $B$ are points; the printed quotients exist there, and so does their product.
 :figure: tangent_ratios
+
+For $\lambda\ne0,1$ the equation (3.1.4) has $xy=0$ only together with $x+y=1$, which is $R_0$ or $R_2$; for $\lambda=0$ the curve is the two lines
+themselves, and for $\lambda=1$ a double line, without a tangent.  So $xy\ne0$ and $x+y\ne1$ where both ratios exist.
 :::
 
 :::{claim} product_of_ratios_is_constant
@@ -605,10 +613,10 @@ CLAIM(product_of_ratios_is_constant)
     }
     num between = inside(T, "k"), p = positive(T, "p", 0), outer[2] = {add(one, p), neg(p)};
     about(T, "4λ/(1-λ) for 0 < λ < 1");
-    nonnegative(T, div(mul(from_int(4), between), sub(one, between)));
+    G(must_be_positive)(T, div(mul(from_int(4), between), sub(one, between)));
     for (int k = 0; k < 2; k++) {
         about(T, k == 0 ? "-4λ/(1-λ) for λ > 1" : "-4λ/(1-λ) for λ < 0");
-        nonnegative(T, neg(div(mul(from_int(4), outer[k]), sub(one, outer[k]))));
+        G(must_be_positive)(T, neg(div(mul(from_int(4), outer[k]), sub(one, outer[k]))));
     }
 }
 
@@ -639,7 +647,7 @@ CLAIM(product_of_ratios_is_positive_inside)
     about(T, "the product");
     /* g_1 g_2 = 4λ/(1-λ) */
     same(T, product, mul(from_int(4), odds));
-    nonnegative(T, mul(from_int(4), odds));
+    G(must_be_positive)(T, mul(from_int(4), odds));
 }
 
 #if RATIONAL
