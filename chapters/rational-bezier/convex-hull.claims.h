@@ -21,8 +21,8 @@ make a point of the convex hull; this is the whole proof, and positive weights a
 :needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
   weights are positive; that $\omega(t)$ has no zero is not enough.
 :needs: curve_leaves_hull_outside_the_interval | (3.2.2): $0\le t\le1$ | $0\le t\le1$.
-:reading: no_hull_property_with_weights_of_both_signs | Read as "these weights keep the curve in the hull whatever the points are",
-  given that $\omega(t)$ has no zero in $[0,1]$.  This is so exactly when no two weights have opposite signs. | $B_i^n(t)>0$; a common factor
+:reading: no_hull_property_with_weights_of_both_signs | Read as a property of the weights, which § 3.2 prescribes to be positive for its sake: "whatever
+  the points are, the curve stays in their hull".  Where $\omega(t)$ has no zero in $[0,1]$ this is so exactly when no two weights have opposite signs, hence for positive ones. | $B_i^n(t)>0$; a common factor
   $-1$ of the weights changes nothing; weights without opposite signs make all shares nonnegative.
 :figure: convex_hull
 

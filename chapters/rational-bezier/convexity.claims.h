@@ -54,8 +54,9 @@ curve is.  The weights come in as products of three, so that positive ones canno
   region having inner points, not all $D_{ijk}$ are $0$; so, as $\omega(t)>0$, three points of the curve turn left
   whenever their parameters are in order; so the curve, closed by its chord, runs through the boundary of its hull once.
 :reading: turns_of_one_sign_are_not_enough | a polygon is convex if it always turns to the same side
-:meant: definition 4.2.1 of the same book, the only one at hand: the boundary of a convex set or part of it | A polygon is convex if with its chord it
-  bounds a convex region, the hypothesis; one that only turns to one side is not meant.
+:meant: definition 4.2.1 of the same book, the only one at hand | The points of a convex polygon are the boundary of a convex set or part of it; one
+  that only turns to one side is not meant.  Of the polygons that are meant the hypothesis leaves out those that come to a
+  piece of the boundary twice.
 :figure: convex_polygon_convex_curve
 
 The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).  Where all vertices are on one line the curve is a segment of it.

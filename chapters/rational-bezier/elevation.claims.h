@@ -32,7 +32,8 @@ the products $\omega_iR_i$.
 :zh: n 次有理 Bézier 曲线也是 n+1 次的
 :printed: The formula of elevation: the curve of degree $n$ with weights $\omega_i$ and vertices $\mathbf R_i$ is the curve of degree $n+1$
   with weights $\hat\omega_i$ and vertices $\hat{\mathbf R}_i$ of (3.2.7) to (3.2.9).
-:holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners positive_terms_make_a_convex_mean
+:holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners numbers_outside_the_polygon_do_not_matter
+  positive_terms_make_a_convex_mean
 :confirmed-by: elevation_keeps_rational_curve
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; otherwise the new vertices need not exist, though the curve has no pole
@@ -44,7 +45,8 @@ the products $\omega_iR_i$.
 :zh: 升阶前后为同一曲线
 :printed: \mathbf R(t)=\frac{\sum_{i=0}^nB_i^n(t)\omega_i\mathbf R_i}{\sum_{i=0}^nB_i^n(t)\omega_i}
   =\frac{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i\hat{\mathbf R}_i}{\sum_{i=0}^{n+1}B_i^{n+1}(t)\hat\omega_i}
-:holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners positive_terms_make_a_convex_mean
+:holds-by: bernstein_function_in_the_next_degree elevation_cuts_corners numbers_outside_the_polygon_do_not_matter
+  positive_terms_make_a_convex_mean
 :confirmed-by: elevation_keeps_rational_curve
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that all vertices $\hat{\mathbf R}_i$ exist
@@ -182,13 +184,15 @@ and any other numbers would do.
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that no denominator vanishes
 :figure: elevation_cuts_corners
+
+The agreement $\mathbf R_{-1}=\mathbf R_{n+1}=\mathbf 0$, like that of (3.2.8), only gives the formula a meaning at its two ends: the factor there is $0$.
 :::
 
 :::{statement} wang-ch3:prop-3.2.6-derivation
 :title: The formulas come from raising numerator and denominator apart
 :zh: 对分子分母分别升阶
 :printed: The formulas can be obtained by applying the operator (1.3.9) to the numerator and to the denominator of (3.2.2).
-:holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter
+:holds-by: bernstein_function_in_the_next_degree numbers_outside_the_polygon_do_not_matter elevation_cuts_corners
 :confirmed-by: elevation_through_the_power_basis elevated_points_as_printed
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: so that the numerators can be divided by the $\hat\omega_i$ for (3.2.9)
@@ -462,13 +466,13 @@ CLAIM(cutting_ratio_depends_on_edge_and_weights)
 :title: Elevation can be repeated for ever
 :zh: 升阶可无限次进行
 :printed: In the same way elevation can be repeated without end.
-:holds-by: elevation_cuts_corners repeated_elevation_in_one_formula
+:holds-by: elevation_cuts_corners numbers_outside_the_polygon_do_not_matter repeated_elevation_in_one_formula
 :confirmed-by: repeated_elevation_computed mixed_weights_become_positive
 :needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; with mixed ones already the first step may fail
 :figure: elevation_mixed_weights
 
-Positive weights stay positive, since every new one is a mean of two old ones.
+Positive weights stay positive, since every new one is a mean of two old ones or, at the two ends, an old one.
 :::
 
 All steps together have a closed form.  Its coefficients are those of drawing without replacement: if $i$ things are
@@ -572,12 +576,14 @@ for every $N\ge n$ and every $i$.  For the rational curve this is used in the nu
 :zh: 升阶多边形序列收敛到曲线
 :printed: The sequence of the elevated B-nets converges to $\mathbf R(t)$.
 :holds-by: elevated_polygons_converge powers_in_every_degree elevation_cuts_corners
+  numbers_outside_the_polygon_do_not_matter
 :confirmed-by: elevated_parabola_misses_by_one_over_degree elevated_polygons_within_their_bound mixed_weights_become_positive
 :argued: | The bounds (1) to (4) of `elevated_polygons_converge` are put together in words: a product of $k$ factors
   is estimated factor by factor, the sums over $k$ are formed, and between two vertices polygon and curve are as near,
   since $\mathbf R$ has a bounded derivative; the bound $\frac{\text{const}}{N-n+1}$ tends to 0.
 :needs: elevation_fails_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
-  positive: so that no polygon of the sequence lacks a vertex
+  positive: so that no polygon of the sequence lacks a vertex, and $\omega(t)$ has no zero in $[0,1]$; with a zero, as here,
+  polygons of ever higher degrees may lack one
 :figure: elevation_converges
 
 The convergence is uniform and of order $1/N$, not better: for the parabola $y=x^2$ the $i$-th vertex is exactly

@@ -226,6 +226,9 @@ $(\omega''(0)-\omega'(0))\mathbf R_0/\omega_0$ more.
 :printed: \mathbf R'''(0)=n(n-1)(n-2)\,\omega_3\mathbf a_3/\omega_0+g_2\mathbf a_2+g_1\mathbf a_1
 :holds-by: derivative_vectors_at_zero_in_every_degree bernstein_sum_begins_with_its_differences
 :confirmed-by: end_derivative_vectors_at_both_ends
+
+The source takes this value from its formula for $\mathbf R'''$.  It is that of the formula as corrected in `wang-ch3:prop-3.2.4-step-3`; the printed one, with the right
+$\mathbf R''(0)$ in it, has $3\omega''(0)(\mathbf R'(0)-\mathbf R''(0))/\omega_0$ more, which changes $g_1$ and $g_2$ only.
 :::
 
 :::{statement} wang-ch3:prop-3.2.4-step-7

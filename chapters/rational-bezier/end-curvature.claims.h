@@ -342,7 +342,8 @@ dimension, as $\mathbf R'(0)$ and $\mathbf R''(0)$ are combinations of $\mathbf 
 :confirmed-by: end_torsion_at_zero
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$: the first three points are not on a line.
 :reading: missing_points_have_the_factor_zero | Read for $n=2$, where $\omega_3$ and $\mathbf a_3$ do not exist: whatever stands for them, the factor $n-2$
-  makes it $0$, the torsion of a plane curve.  For $n=1$ the curve is a segment, which has no torsion.
+  makes it $0$, the torsion of a plane curve.  For $n=1$, and for $n=2$ with the three points on a line, the curve is in a line
+  and has no torsion.
 :figure: end_formulas_undetermined
 
 The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\omega_2$ are not $0$.
@@ -359,7 +360,8 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$: the last three points are not on a line; the example is
   to be read in reversed order.
 :reading: missing_points_have_the_factor_zero | Read for $n=2$, where $\omega_{n-3}$ and $\mathbf a_{n-2}$ do not exist: whatever stands for them, the factor
-  $n-2$ makes it $0$, the torsion of a plane curve.  For $n=1$ the curve is a segment, which has no torsion.
+  $n-2$ makes it $0$, the torsion of a plane curve.  For $n=1$, and for $n=2$ with the three points on a line, the curve is in a line
+  and has no torsion.
 
 The sign of the weights does not matter here, as long as $\omega_n,\omega_{n-1},\omega_{n-2}$ are not $0$.
 :::

@@ -807,12 +807,13 @@ statement on sequences of every length is one about a number and the last sign b
 :zh: 任意长数列的变号数
 :kind: decision
 :given: the last sign $l\in\{-1,0,1\}$ in a sequence, 0 where there is none yet, and the next number, of sign $s\in\{-1,0,1\}$
-:then: (1) when both are multiplied by positive numbers, a change stays a change; (2) when the signs up to the first change of sign are
+:then: (1) when both are multiplied by positive numbers, a change stays a change, and no change comes in; (2) when the signs up to the first change of sign are
   reversed and those behind it kept, that change disappears and all others stay; (3) a point that runs along an edge from height $a$ to height $s$, having been
   last on side $l$, $l=a$ if $a\ne0$, changes sides once if $ls<0$, else not at all, and is then on side $s$, or still on $l$ for $s=0$
 :method: All cases of $l$, $s$, $a$ and of their places before or behind the first change are visited.  Added up over a sequence of any length: (1) gives
   $V[c_iy_i]=V[y_i]$ for all $c_i>0$; (2) $V[(m-\alpha)c_m]=V[c_m]-1$ for $\alpha$ between the two places of the first change; (3) $V[y_i]$ is how often
-  the polygon with the heights $y_i$ changes sides.  In (3) the sides at $\frac14$ and $\frac34$ of the edge are read.
+  the polygon with the heights $y_i$ changes sides.  In (3) the sides at $\frac14$ and $\frac34$ of the edge are read, for the heights $-1$, 0 and 1; heights of
+  other size and the same signs change sides as often, since along an edge the height is linear.
 :degrees: all
 :control: the signs behind the first change reversed too
 :::

@@ -32,7 +32,7 @@ without Descartes, is tried on patterns of signs.
   curve or polygon run through it
 :figure: line_crossings
 
-The chain of the source proves it, for every degree: a crossing is a root of the numerator, which is a polynomial in $s=\frac t{1-t}$ times a positive function, the positive
+The chain of the source proves it, for every degree and every line, the $y_i$ being the values of its form at the vertices: a crossing is a root of the numerator, which is a polynomial in $s=\frac t{1-t}$ times a positive function, the positive
 roots of which are no more than its changes of sign, and these are the crossings of the polygon.  Where this polynomial is $0$, all $y_i$ are: curve and
 polygon are inside the line, and neither crosses it.
 :::
