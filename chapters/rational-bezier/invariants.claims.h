@@ -346,9 +346,11 @@ CLAIM(first_invariant_is_the_tangent_ratio)
 
 #if RATIONAL
 /*
+With end weights of different signs $1/I_1$ is negative, which a product of lengths never is.
+
 :::{claim} end_weights_of_both_signs_give_no_product_of_lengths
-:title: When the first and the last weight have different signs the invariant is no product of ratios of lengths
-:zh: 首末权异号时不变量不是长度比之积
+:title: When the first and the last weight have different signs 1/I_1 is no product of ratios of lengths
+:zh: 首末权异号时 1/I_1 不是长度比之积
 :kind: counterexample
 :data: R = (1,0) (0,0) (0,1); ω = 1 1 -1; t = 1/3
 :instead: ω = 1 1 1

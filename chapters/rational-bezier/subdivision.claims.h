@@ -117,6 +117,8 @@ the points: run first, it tells where the division is not possible.
 :confirmed-by: triangle_in_closed_form triangle_level_by_level
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: otherwise $\omega_i^r$ may be $0$ although $\omega(t)$ has no real zero
+:needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$; the ends do no harm, but outside $[a,b]$ a weight of the triangle may
+  vanish although all $\omega_i>0$
 :figure: triangle_point_at_infinity
 
 The range of $r$ and $i$ in the second line, which is not repeated, is that of (3.3.2); the denominators are $\omega_i^r(c)$.  In the text at hand this
