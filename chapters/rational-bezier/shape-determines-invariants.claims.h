@@ -829,11 +829,17 @@ CLAIM(product_is_the_inverse_second_invariant)
 :zh: 由对称性得另两个不变量
 :printed: By the symmetry of the curve also $I_4=I_4^*$, $I_3=I_3^*$
 :holds-by: quintic_ends_with_these_factors factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+  backward_run_flattens_the_first_edges derivative_vectors_at_zero_in_every_degree derivative_vectors_at_one_in_every_degree
+  bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor mean_grows_by_one_term weight_can_be_divided_out
 :confirmed-by: reversal_exchanges_invariants end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :needs: common_factor_hides_the_weights | the theorem | the last three edges are not coplanar: so the last three points are not on a line; in a plane
   one and the same quintic can have several $I_3$
+:cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
+  linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
+:argued: | That the curvatures and the torsions agree at the end: the two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the last edges
+  would be dependent by `backward_run_flattens_the_first_edges` for the reversed polygon, as the end derivatives have the directions of the edges; so end corresponds to end.
 
-The proof is for $n=5$.  What it says of the start, that the curvatures and the torsions agree there, it is to say of the other end, too.
+The proof is for $n=5$.  That the curvatures and the torsions agree at the other end, too, the source leaves to the symmetry.
 Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and the hypotheses with each other.
 :::
 

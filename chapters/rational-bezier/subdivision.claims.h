@@ -225,7 +225,7 @@ The two sides meet in $R_n^n$, the point of the curve at $c$.
   $(t-a)/0$, and its points all coincide; for $c=b$ likewise the right one
 :needs: cut_outside_can_fail | the theorem: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
   vanish although all $\omega_i>0$
-:needs: curve_may_have_a_pole_outside | the formula (3.3.1): $a\le t\le b$ | $a\le t\le b$: outside $[a,b]$ the denominator of $\mathbf R(t)$ may vanish although
+:needs: curve_may_have_a_pole_outside | the formula (3.3.1): $a\le t\le c$ and $c\le t\le b$ | $a\le t\le b$: outside $[a,b]$ the denominator of $\mathbf R(t)$ may vanish although
   all $\omega_i>0$
 :figure: subdivision_triangle
 
