@@ -111,8 +111,8 @@ CLAIM(equal_invariants_can_make_a_pole)
 :hypothesis: arc_of_lower_degree_has_two_invariant_sets | numerators and denominator are not all of a lower degree than $n$ in the parameter:
   otherwise the same arc, with other points, can have other $I_i$, even without a common factor
 :hypothesis: segment_has_two_invariants | the parametrization is proper: a general point of the algebraic curve comes from one
-  parameter, complex ones included; otherwise two curves with one point set, the same points and no common factor differ in
-  $I_i$
+  parameter, complex ones included; otherwise two curves with one point set, the same control points and no common factor may
+  differ in $I_i$
 :reading: equal_invariants_mean_geometric_ratios | belonging to the points and weights, up to (3.2.10)
 :reading-with: factors_make_a_geometric_sequence fractional_change_term_by_term
 :reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a set of points, without the hypotheses; the example is
