@@ -100,6 +100,8 @@ CLAIM(equal_weights_give_polynomial_triangle)
 :confirmed-by: triangle_ends_on_the_curve triangle_level_by_level
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: otherwise a point of the construction may be missing
+:needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$; the ends do no harm, but outside $[a,b]$ a weight of the triangle may
+  vanish although all $\omega_i>0$
 
 The evaluation is $\mathbf R(c)=\mathbf R_n^n(c)$; the construction divides each edge in the ratio
 $\lambda\omega_i^{r-1}:(1-\lambda)\omega_{i-1}^{r-1}$.

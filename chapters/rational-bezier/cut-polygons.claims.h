@@ -20,7 +20,7 @@ projection to points of space, which divides by weights; it does no harm as long
   near_homogeneous_points_are_near cut_coefficients_are_convex weighted_points_are_cut_like_the_weights
   triangle_of_powers_consists_of_powers change_of_parameter_acts_on_one_factor
 :confirmed-by: second_differences_shrink_quadratically quarter_circle_error_is_quartered
-:hypothesis: crowded_cuts_do_not_converge | the pieces become short: as at a fixed ratio; with a new ratio in every step a piece
+:hypothesis: crowded_cuts_do_not_converge | the length of the longest piece, in the parameter, tends to 0: as at a fixed ratio; with a new ratio in every step a piece
   may stay long for ever
 :needs: linear_weights_of_both_signs_have_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the
   weights are positive
@@ -230,7 +230,7 @@ CLAIM(quarter_circle_error_is_quartered)
 #endif
 
 /*
-Two hypotheses stand behind the printed sentence.  The first is not said: the pieces have to become short; that each step
+Two hypotheses stand behind the printed sentence.  The first is not said: the pieces have to become short, all of them; that each step
 cuts every piece is not enough, if the ratios may change.  The second is that of the whole chapter: the weights are positive, so that those of the
 pieces stay away from 0.
 

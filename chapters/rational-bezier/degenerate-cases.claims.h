@@ -369,7 +369,7 @@ from $0$ to $1$ any more: it goes to infinity on the way.
 CLAIM(negative_alpha_has_a_pole)
 {
     int n = T->degree;
-    num w[MAX_DEGREE + 1], beta = positive(T, "beta", 0), one = from_int(1), u = div(one, add(one, beta));
+    num w[MAX_DEGREE + 1], beta = positive(T, "beta", ALONE), one = from_int(1), u = div(one, add(one, beta));
     num alpha = fault(T, neg(beta), beta);
     G(must_be_positive)(T, u);
     G(must_be_positive)(T, sub(one, u));

@@ -489,8 +489,8 @@ What is compared is $\kappa^2$.  That $\kappa$ is the printed side and not its n
 :title: With positive weights the factor of the end curvature is positive, for every n
 :zh: 正权时端点曲率公式的系数为正(任意次数)
 :given: $n>1$, positive weights $\omega_0,\omega_1,\omega_2$, or $\omega_n,\omega_{n-1},\omega_{n-2}$ in their places
-:then: $\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}>0$, so that of two numbers that are not negative and have the same square, $\kappa(0)$ and the
-  printed side, both are one
+:then: $\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}>0$, so that $\kappa(0)$ and the printed side, two numbers that are not negative and have the same
+  square, are equal
 :method: A quotient of products of positive numbers, $n-1$ among them.  For $n=1$ the factor is 0.
 :degrees: all
 :over: n: -

@@ -30,7 +30,7 @@ numbers $t$ and $c$ stand for $(t-a)/(b-a)$ and $(c-a)/(b-a)$.
   R_{i+r}^r(c)} {\sum_{i=0}^{n-r}B_i^{n-r}(\frac{t-a}{b-a})\,\omega_{i+r}^r(c)},\quad a\le t\le b,\ a\le c\le b
 :definition: yes
 :checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power weighted_points_are_cut_like_the_weights
-  cut_coefficients_are_convex positive_terms_make_a_convex_mean
+  cut_coefficients_are_convex
 :confirmed-by: member_is_a_polar_curve
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
@@ -38,7 +38,8 @@ numbers $t$ and $c$ stand for $(t-a)/(b-a)$ and $(c-a)/(b-a)$.
 :needs: member_may_have_a_pole_outside | the formula: $a\le t\le b$ | $a\le t\le b$: outside the denominator may vanish although all $\omega_i>0$
 :figure: envelope_families
 
-In the source this is the member of the set of which $\mathbf R(t)$ is said to be the envelope.  The indices are in range: level $r$ has the indices $r,\dots,n$.
+In the source this is the member of the set of which $\mathbf R(t)$ is said to be the envelope.  The indices are in range: level $r$ has the indices $r,\dots,n$.  With positive weights the denominator
+does not vanish: it is the last weight of the triangle that begins with the $\omega_{i+r}^r(c)$ and divides at $t$.
 :::
 */
 
@@ -80,16 +81,18 @@ control polygon, and the polar form says of which curve.
 :::{statement} wang-ch3:thm-3.3.2-vertices
 :title: What the points of an intermediate level mean
 :zh: 离散中间层顶点的几何意义
-:printed: The geometric meaning of the vertices of an intermediate step of cutting: (3.3.2) and (3.3.3) determine a family of rational Bézier curves of degree
+:printed: The geometric meaning of the vertices of an intermediate step of cutting: for $n\ge2$, (3.3.2) and (3.3.3) determine a family of rational Bézier curves of degree
   $n-r$, $r=1,2,\dots,n-1$, (3.3.4), one for each $c$, $a\le c\le b$.
 :holds-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power weighted_points_are_cut_like_the_weights
-  cut_coefficients_are_convex positive_terms_make_a_convex_mean
+  cut_coefficients_are_convex
 :confirmed-by: member_is_a_polar_curve
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else a weight $\omega_i^r(c)$ may vanish and its point does not exist
+:needs: cut_outside_can_fail | the formula (3.3.4): $a\le c\le b$ | $a\le c\le b$: outside a weight of the triangle may vanish although all $\omega_i>0$
+:needs: member_may_have_a_pole_outside | the formula (3.3.4): $a\le t\le b$ | $a\le t\le b$: outside the denominator may vanish although all $\omega_i>0$
 :figure: triangle_point_at_infinity
 
-The vertices $\mathbf R_{r+i}^r(c)$, $i=0,\dots,n-r$, with the weights $\omega_{r+i}^r(c)$ are the control polygon of the curve of the parameter $c$.
+The vertices $\mathbf R_{r+i}^r(c)$, $i=0,\dots,n-r$, with the weights $\omega_{r+i}^r(c)$ are the control polygon of the curve of the parameter $c$.  With positive weights the denominator of (3.3.4) does not vanish: it is the last weight of the triangle that begins with the $\omega_{i+r}^r(c)$ and divides at $t$.
 :::
 */
 

@@ -106,13 +106,13 @@ CLAIM(equal_invariants_can_make_a_pole)
 :holds-by: equal_invariants_mean_geometric_ratios projective_change_of_unit_interval_is_fractional
   factors_make_a_geometric_sequence fractional_change_term_by_term
 :confirmed-by: invariants_survive_fractional_change fractional_change_keeps_curve reversal_exchanges_invariants
-:hypothesis: same_map_on_a_line_has_two_invariants | numerator and denominator of the curve have no common factor:
+:hypothesis: same_map_on_a_line_has_two_invariants | numerators and denominator of the curve have no common factor:
   otherwise one and the same map has several sets of points and weights of the degree $n$, with different $I_i$
 :hypothesis: arc_of_lower_degree_has_two_invariant_sets | numerators and denominator are not all of a lower degree than $n$ in the parameter:
   otherwise the same arc, with other points, can have other $I_i$, even without a common factor
 :hypothesis: segment_has_two_invariants | the parametrization is proper: a general point of the algebraic curve comes from one
-  parameter, complex ones included; otherwise two curves with one point set, the same points and no common factor differ in
-  $I_i$
+  parameter, complex ones included; otherwise two curves with one point set, the same control points and no common factor may
+  differ in $I_i$
 :reading: equal_invariants_mean_geometric_ratios | belonging to the points and weights, up to (3.2.10)
 :reading-with: factors_make_a_geometric_sequence fractional_change_term_by_term
 :reading: same_parabola_has_two_invariant_sets | belonging to the curve as a map or as a set of points, without the hypotheses; the example is
@@ -306,9 +306,8 @@ CLAIM(reversal_exchanges_invariants)
 :zh: n=2 时不变量的几何意义
 :printed: For $n=2$ the geometric meaning of $I_1$ has been discussed in section 3.1.
 :holds-by: first_invariant_is_the_tangent_ratio
-:needs: ratios_of_lengths_need_weights_of_one_sign | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths and says
-  $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | the weights are of one sign: otherwise $g_1$ and $g_2$ need not be ratios of lengths; in the example their product
-  is $1/I_1$ all the same
+:needs: end_weights_of_both_signs_give_no_product_of_lengths | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths and says
+  $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | $\omega_0\omega_2>0$: otherwise $1/I_1$ is negative, and the product of two ratios of lengths is not
 :needs: ratios_do_not_exist_at_the_ends | § 3.1, by which $g_1g_2$ is constant, so that both ratios exist | $0<t<1$
 :needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$ do not lie
   on a line.
@@ -344,6 +343,42 @@ CLAIM(first_invariant_is_the_tangent_ratio)
     /* R_1A/AR_0 · R_1B/BR_2 = 1/I_1 */
     same(T, product, fault(T, div(one, I[0]), I[0]));
 }
+
+#if RATIONAL
+/*
+With end weights of different signs $1/I_1$ is negative, which a product of lengths never is.
+
+:::{claim} end_weights_of_both_signs_give_no_product_of_lengths
+:title: When the first and the last weight have different signs 1/I_1 is no product of ratios of lengths
+:zh: 首末权异号时 1/I_1 不是长度比之积
+:kind: counterexample
+:data: R = (1,0) (0,0) (0,1); ω = 1 1 -1; t = 1/3
+:instead: ω = 1 1 1
+:result: R_1A/AR_0, R_1B/BR_2 = 2 -1/2; 1/I_1 = -1
+:given: the quadratic with points $R$ and weights $\omega$ of which the last is negative, and a parameter $t$ with $\omega(t)\ne0$; the tangent at $R(t)$ meets $R_0R_1$
+  in $A$ and $R_1R_2$ in $B$
+:then: $B$ is not between $R_1$ and $R_2$: the lengths have the ratios $2$ and $\frac12$ with the product $1$, but $1/I_1=-1$
+:method: Computed exactly, the tangent from the derivative; the product of the absolute values of the ratios is compared with $1/I_1$.
+:control: positive weights
+:::
+*/
+CLAIM(end_weights_of_both_signs_give_no_product_of_lengths)
+{
+    num one = from_int(1), R[6], w[3], D[4], I[1], ratio[2];
+    given_points(T, "R", 3, 2, R);
+    given_points(T, "ω", 3, 1, w);
+    G(rational_derivatives)(2, 2, R, w, given(T, "t"), 1, D);
+    num A = sub(D[0], mul(D[1], div(D[2], D[3]))), B = sub(D[1], mul(D[0], div(D[3], D[2])));
+    ratio[0] = div(A, sub(one, A));
+    ratio[1] = div(B, sub(one, B));
+    G(rational_invariants)(2, w, I);
+    num product = mul(ratio[0], ratio[1]), constant = div(one, I[0]);
+    found_points(T, "R_1A/AR_0, R_1B/BR_2", 2, 1, ratio);
+    found(T, "1/I_1", constant);
+    about(T, "the product of the ratios of lengths and 1/I_1");
+    same(T, sign_q(product) < 0 ? neg(product) : product, constant);
+}
+#endif
 
 /*
 :::{statement} wang-ch3:prop-3.2.10-same-shape

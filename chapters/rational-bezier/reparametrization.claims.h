@@ -317,7 +317,7 @@ CLAIM(negated_weights_have_no_real_factors)
 :::{statement} wang-ch3:3.2.13
 :title: The curve that results
 :zh: 变换所得曲线
-:printed: With the factors $a,b$ of (3.2.11), which there are when $I_i=I_i^*$, $i=1,\dots,n-1$ (3.2.12), the resulting curve is $\mathbf R^*(u)=\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i\Big/\sum_{i=0}^nB_i^n(u)\omega_i^*$, $0\le
+:printed: When $I_i=I_i^*$, $i=1,\dots,n-1$ (3.2.12), (3.2.10) with the factors $a,b$ of (3.2.11) carries the curve (3.2.2) into $\mathbf R^*(u)=\sum_{i=0}^nB_i^n(u)\omega_i^*\mathbf R_i\Big/\sum_{i=0}^nB_i^n(u)\omega_i^*$, $0\le
   u\le1$.
 :holds-by: equal_invariants_mean_geometric_ratios factors_make_a_geometric_sequence fractional_change_term_by_term
   larger_numbers_have_larger_powers fractional_change_runs_once

@@ -571,7 +571,7 @@ the other end to symmetry.
 :meant: the sentence before the theorem, by which curves of one shape differ in their parameter alone | The same shape
   is the same point set.
 :reading: congruent_cubics_with_other_invariants | congruent curves, of which the starts need not correspond
-:needs: palindromes_of_degree_four | theorem 3.2.1, where the first three points are not collinear, and the first three edges not coplanar for
+:needs: palindromes_of_degree_five | theorem 3.2.1, where the first three points are not collinear, and the first three edges not coplanar for
   $n\ge3$ | the first edges are independent: $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for $n=2$ and $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$
   for $n\ge3$.  Otherwise the point set may be run backwards, and the start of one curve is the end of the other.  In the example the last three edges
   are coplanar, too, and the torsions agree, both being 0, but not the curvatures.
@@ -642,13 +642,15 @@ CLAIM(curvatures_alone_miss_the_middle_invariant)
   \frac{\omega_0^*\omega_3^*}{\omega_1^*\omega_2^*}\Bigr)
   \frac{(\mathbf a_1,\mathbf a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}=0
 :corrected-by: quintic_starts_with_these_factors factor_of_the_curvature_is_positive backward_run_flattens_the_first_edges
+  derivative_vectors_at_zero_in_every_degree derivative_vectors_at_one_in_every_degree bernstein_sum_of_powers_is_a_power
+  change_of_parameter_acts_on_one_factor mean_grows_by_one_term weight_can_be_divided_out
 :confirmed-by: end_torsion_contains_two_invariants end_curvature_contains_one_invariant
 :needs: palindromes_of_degree_five | theorem 3.2.1: the first three edges are not coplanar | $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$; otherwise
   the point set may be run backwards, in the example with the last three edges coplanar, too, and the start of one curve is the end of the other
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | That both differences are 0: the two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be
-  dependent by `backward_run_flattens_the_first_edges`; so start corresponds to start, and curvature and torsion agree there.
+  dependent by `backward_run_flattens_the_first_edges`, as the end derivatives have the directions of the edges; so start corresponds to start, and curvature and torsion agree there.
 :figure: torsion_misprint
 
 One index: the denominator is $\|a_1\times a_2\|^2$, by (3.2.6).  The counterexample
@@ -827,11 +829,17 @@ CLAIM(product_is_the_inverse_second_invariant)
 :zh: 由对称性得另两个不变量
 :printed: By the symmetry of the curve also $I_4=I_4^*$, $I_3=I_3^*$
 :holds-by: quintic_ends_with_these_factors factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
+  backward_run_flattens_the_first_edges derivative_vectors_at_zero_in_every_degree derivative_vectors_at_one_in_every_degree
+  bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor mean_grows_by_one_term weight_can_be_divided_out
 :confirmed-by: reversal_exchanges_invariants end_curvature_contains_one_invariant end_torsion_contains_two_invariants
-:needs: common_factor_hides_the_weights | the theorem | the last three edges are not coplanar: so their points are not on a line; in a plane
+:needs: common_factor_hides_the_weights | the theorem | the last three edges are not coplanar: so the last three points are not on a line; in a plane
   one and the same quintic can have several $I_3$
+:cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
+  linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
+:argued: | That the curvatures and the torsions agree at the end: the two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the last edges
+  would be dependent by `backward_run_flattens_the_first_edges` for the reversed polygon, as the end derivatives have the directions of the edges; so end corresponds to end.
 
-The proof is for $n=5$.  What it says of the start, that the curvatures and the torsions agree there, it is to say of the other end, too.
+The proof is for $n=5$.  That the curvatures and the torsions agree at the other end, too, the source leaves to the symmetry.
 Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and the hypotheses with each other.
 :::
 
@@ -842,7 +850,7 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
 :holds-by: backward_run_flattens_the_first_edges derivative_vectors_at_zero_in_every_degree derivative_vectors_at_one_in_every_degree
   curvature_and_torsion_follow_at_zero_in_every_degree curvature_and_torsion_follow_at_one_in_every_degree
   factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
-  bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor
+  bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor mean_grows_by_one_term weight_can_be_divided_out
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :meant: the theorem, which is stated for $n=2,3,4,5$ | The proof for $n=5$ contains those for the other $n$.
 :needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n=3,4,5$ three edges not

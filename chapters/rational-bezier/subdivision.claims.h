@@ -117,6 +117,8 @@ the points: run first, it tells where the division is not possible.
 :confirmed-by: triangle_in_closed_form triangle_level_by_level
 :needs: intermediate_weight_can_vanish | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: otherwise $\omega_i^r$ may be $0$ although $\omega(t)$ has no real zero
+:needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$; the ends do no harm, but outside $[a,b]$ a weight of the triangle may
+  vanish although all $\omega_i>0$
 :figure: triangle_point_at_infinity
 
 The range of $r$ and $i$ in the second line, which is not repeated, is that of (3.3.2); the denominators are $\omega_i^r(c)$.  In the text at hand this
@@ -223,9 +225,11 @@ The two sides meet in $R_n^n$, the point of the curve at $c$.
   $(t-a)/0$, and its points all coincide; for $c=b$ likewise the right one
 :needs: cut_outside_can_fail | the theorem: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
   vanish although all $\omega_i>0$
+:needs: curve_may_have_a_pole_outside | the formula (3.3.1): $a\le t\le c$ and $c\le t\le b$ | $a\le t\le b$: outside $[a,b]$ the denominator of $\mathbf R(t)$ may vanish although
+  all $\omega_i>0$
 :figure: subdivision_triangle
 
-The left branch is true; the numerator of the right one has two slips.
+The left branch is true; the numerator of the right one has two slips.  With positive weights the denominator of $\mathbf R(t)$ does not vanish for $a\le t\le b$: it is $\omega_n^n(t)$, a weight of the triangle at $t$.
 :::
 */
 
@@ -346,6 +350,30 @@ CLAIM(cut_outside_can_fail)
     found(T, "ω_1^1", weight);
     vanishes(T, weight);
 }
+
+/*
+:::{claim} curve_may_have_a_pole_outside
+:title: Outside the interval positive weights do not keep the denominator from 0
+:zh: 区间外正权曲线的分母可为零
+:kind: counterexample
+:data: ω = 1 2; t = -1
+:instead: t = 1/2
+:result: ω(t) = 0
+:given: two positive weights $\omega$, $[a,b]=[0,1]$, and a parameter $t$ outside
+:then: $\omega(t)=0$, so that there is no point $R(t)$
+:method: The denominator is computed exactly; that it is not 0 is what is compared.
+:control: $t$ in the middle of the interval
+:::
+*/
+CLAIM(curve_may_have_a_pole_outside)
+{
+    num w[2];
+    given_points(T, "ω", 2, 1, w);
+    num total = G(rational_weight)(1, w, given(T, "t"));
+    found(T, "ω(t)", total);
+    about(T, "the denominator is not 0");
+    refute(T, is_zero_q(total));
+}
 #endif
 
 /*
@@ -418,6 +446,10 @@ coincide would not give that point.
 :needs: cut_at_an_end_is_empty | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: for $c=a$ the formula has the argument $(t-a)/0$
 :needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
   vanish although all $\omega_i>0$
+:needs: curve_may_have_a_pole_outside | the formula: $a\le t\le c$ | $a\le t\le c$: outside $[a,b]$ the denominator of $\mathbf R(t)$ may vanish although
+  all $\omega_i>0$
+
+With positive weights the denominator of $\mathbf R(t)$ does not vanish for $a\le t\le b$: it is $\omega_n^n(t)$, a weight of the triangle at $t$.
 :::
 
 :::{statement} wang-ch3:3.3.1-right
@@ -437,6 +469,8 @@ coincide would not give that point.
 :needs: cut_at_an_end_is_empty | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: for $c=b$ the formula has the argument $(t-b)/0$
 :needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
   vanish although all $\omega_i>0$
+:needs: curve_may_have_a_pole_outside | the formula: $c\le t\le b$ | $c\le t\le b$: outside $[a,b]$ the denominator of $\mathbf R(t)$ may vanish although
+  all $\omega_i>0$
 :striking: 6
 :figure: right_half_misprint
 
