@@ -235,7 +235,7 @@ Equivalent to (3.4.4), for the same $u$: the sums are its denominator, which is 
 :method: Horner's scheme: the step of an induction on the number of terms, which begins with $c(x_0-x)=cx_0-xc$.  So for every $n$ the sum $\sum a_iu^{n-i}$ is the
   denominator of (3.4.4) times the difference of the first coordinate and $x$; for $b_i$ and $y$ it is the same.
 :degrees: all
-:over: W# c#: weights; A# x#: points; x; u
+:over: W# c#: weights; A# x# x: points; u
 :control: $x_i+x$ in the new term
 :::
 */
@@ -301,7 +301,7 @@ With positive weights the denominator never vanishes for $u\ge0$:
   sum $\sum a_iu^{n-i}$ is a positive number times the difference of the first coordinate of (3.4.4) and $x$, and 0 only if the two are equal; for $b_i$ and $y$ it is the same.
 :degrees: all
 :scope: u ≥ 0
-:over: W# c#: weights; A# x#: points; x; u0: -
+:over: W# c#: weights; A# x# x: points; u0: -
 :control: $x_i+x$ in the new term
 :::
 */
@@ -682,7 +682,7 @@ No common zero and $\omega_0\ne0$ together say that there is no base point, $u=\
   dependent, $gW+h(yA-xB)=0$ with polynomials $g,h$ of degree less than $n$, not both 0; as $h$ has fewer zeros than $W$, one of the $n$ zeros of $W$, $u=\infty$ included, is one of $yA-xB$, and one zero is so for
   infinitely many $x:y$: it is a zero of $A$, $B$ and $W$.
 :degrees: all
-:over: A# B# W#: coefficients; x; y; z
+:over: A# B# W#: coefficients; x y z: -
 :control: $xA-yB$ for $s$
 :::
 */
