@@ -330,7 +330,7 @@ $\omega^2$ is the invariant $I_1$, and $\omega>0$.  With a weight $\omega$ of an
   $AC-B^2=-B^2<0$, and for $B=0$ the one $q=0$
 :method: Identities in $A$, $B$, $p$, $q$ and $C$ or $e$.  Of the conics with real points that are not degenerate, the
   ellipses, parabolas and hyperbolas are those with no, one and two directions.
-:over: A# B# C# e# p# q#: -
+:over: A; B; C; e; p; q
 :control: $B$ for $2B$ in $f$
 :::
 */
