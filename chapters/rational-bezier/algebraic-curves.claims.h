@@ -159,14 +159,16 @@ the equation.
 :confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
 :argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$ its first column is 0; and if the terms of degree $n$ vanished, so would a resultant for
   every $x:y$, and one zero of the denominator would be a zero of both numerators.
-:hypothesis: elevated_curve_has_no_equation | the curve has no base point: the two numerators and the denominator of (3.4.4) have no common zero, real, complex
-  or $u=\infty$; else $F$ may be 0 and theorem 3.4.2 says nothing
+:hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, real or complex; else $F$ is 0
+  for all $(x,y)$, and theorem 3.4.2 says nothing of the degree of the curve
+:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$; with $\omega_0=0$ the first
+  column vanishes, and $u=\infty$ is a common zero
 :reading: doubled_parameter_halves_the_degree | the degree is that of an equation without repeated factors; in the example, where
   $t$ and $-1-t$ give one point though the arc is run through once, $F$ is a square; the source does not ask that a parametrisation run through its curve once
 :reading: common_root_of_a_point_off_the_arc | the Bézier curve is all of the algebraic curve, and not an arc of it
 :figure: arc_of_a_parabola
 
-Without base point $F$ has degree exactly $n$ and vanishes on the curve; that is what is shown.
+No common zero and $\omega_0\ne0$ together say that there is no base point, $u=\infty$ included.  Then $F$ has degree exactly $n$ and vanishes on the curve; that is what is shown.
 :::
 
 :::{claim} doubled_parameter_halves_the_degree

@@ -330,7 +330,7 @@ $\omega^2$ is the invariant $I_1$, and $\omega>0$.  With a weight $\omega$ of an
   $AC-B^2=-B^2<0$, and for $B=0$ the one $q=0$
 :method: Identities in $A$, $B$, $p$, $q$ and $C$ or $e$.  Of the conics with real points that are not degenerate, the
   ellipses, parabolas and hyperbolas are those with no, one and two directions.
-:over: A# B# C# e#: conics; p# q#: directions
+:over: A; B; C; e; p; q
 :control: $B$ for $2B$ in $f$
 :::
 */
@@ -474,8 +474,8 @@ its hypotheses is needed, and an example without it stands beside.
 :confirmed-by: points_at_infinity_tell_the_kind
 :needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on a line.
 :needs: opposite_weights_are_a_hyperbola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_0\omega_2>0$; as for positive weights.
-:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_1\ne0$; as for
+  $\omega_0\omega_2>0$: so it is for positive weights.
+:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_1\ne0$: so it is for
   positive weights.
 :meant: theorem 3.5.2, whose circular arcs have $I_1<1$ | A circle is an ellipse.
 :figure: classification_by_weight

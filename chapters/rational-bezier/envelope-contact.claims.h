@@ -22,7 +22,7 @@ binomial coefficients.
 :::{statement} wang-ch3:thm-3.3.2-contact
 :title: The curve and the member have contact of order n-r
 :zh: 曲线与族曲线在接触点 n-r 阶切触
-:printed: The curve $\mathbf R(t)$ and the above family curve have contact of order $n-r$ at the point of contact $c=t$.
+:printed: The curve $\mathbf R(t)$ and the curve of the above family have contact of order $n-r$ at the point of contact $c=t$.
 :meant: the usual sense of contact of order $m$ | After a change of parameter the derivatives up to the order $m$ agree.
 :class: false
 :refuted-by: cubic_member_has_other_curvature
@@ -35,7 +35,7 @@ binomial coefficients.
 :reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$; so they are for equal weights,
   whose derivatives are the homogeneous ones (`members_are_flatter_powers`; computed for $n\le6$ in `unweighted_derivatives_are_parallel`), but not for the others of the example
 :reading: members_are_flatter_powers | the same osculating line, plane, ... up to dimension $n-r$, for all weights,
-  and in the plane empty from dimension 2 on | Since a homogeneous factor $D(c+h)$ is $D(c)+h\delta$, the homogeneous derivatives of order $k\le n-r$ of member and curve are
+  which in the plane says nothing from dimension 2 on | Since a homogeneous factor $D(c+h)$ is $D(c)+h\delta$, the homogeneous derivatives of order $k\le n-r$ of member and curve are
   $\frac{(n-r)!}{(n-r-k)!}$ and $\frac{n!}{(n-k)!}$ times one vector; the factors are not 0, so the derivatives of the member span what those of the curve do.
 :reading-with: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :corrected: at $t=c$ with $\mathbf R'(c)\ne0$ the contact has for every $r=1,\dots,n-1$ the order of contact of $\mathbf R$

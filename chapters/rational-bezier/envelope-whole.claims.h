@@ -28,7 +28,7 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   $n-r$ ($r=1,2,\dots,n-1$) that (3.3.2), (3.3.3) determine, that is
   $\mathbf R(t)=\operatorname{env}\{\mathbf R^{[n-r]}(t,c),\ a\le t\le b\mid a\le c\le b\}$ with the curves of (3.3.4).
 :reading: members_are_flatter_powers | "an envelope", a curve that in each of its points is touched by a member,
-  wherever $\mathbf R'\ne0$
+  wherever $\mathbf R'\ne0$; it is touched by `members_are_flatter_powers`, a step of the correction below, and the members exist by `cut_coefficients_are_convex`
 :reading-with: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, as the equality sign says; the condition is
   that the derivatives of the point of the member by $t$ and by $c$ are parallel, and already the cubic $(\tau,\tau^3)$ has another such point
@@ -42,14 +42,14 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power convex_polygon_has_one_envelope_in_every_degree
   corners_of_a_strictly_convex_polygon_turn_one_way determinant_of_three_sums_goes_by_triples wronskian_decides_the_outer_levels
   triangle_has_one_envelope
-:confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes
+:confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes second_envelopes_by_elimination
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else (3.3.3) may give no point, and no member with it
 :figure: envelope_extra
 
 The text has something of both readings: the word, and the contact at $c=t$ that follows, speak for the first, the sign of equality for the second; what
-$\operatorname{env}$ means is not said in this chapter.  Each example shows one point; that for the cubic the whole axis $y=0$, and for the quartic a whole
-parabola, is a further envelope is computed below, by elimination.
+$\operatorname{env}$ means is not said in this chapter.  Each example shows one point.  For the cubic such points lie on the axis $y=0$, for the quartic of reading 3
+on a parabola: `second_envelopes_by_elimination` finds the two equations.
 :::
 
 The factorization takes three steps.  The condition is first brought from points to homogeneous vectors, where it is a
@@ -298,7 +298,7 @@ CLAIM(flat_point_has_another_envelope)
 
 #if FIELD
 /*
-These are not stray points: the whole second envelopes are found by eliminating $c$.
+These are not stray points: the equations of the second envelopes are found by eliminating $c$.
 
 :::{claim} second_envelopes_by_elimination
 :title: Eliminating c gives the curve and the second envelope

@@ -23,7 +23,7 @@ entries of degree one; the source takes another way, by operations on columns, a
 :figure: implicit_degree
 
 The claim is the proof of the source, with the recursion corrected: after its column operations $x$ and $y$ stand in $n$ columns only, in degree one, and a product of one
-entry from every column has degree at most $n$.  It divides by $\omega_0$.
+entry from every column has degree at most $n$.  It divides by $\omega_0$; for $\omega_0=0$ the first column of (3.4.1) is 0, and $F$ is the zero polynomial.
 :::
 
 :::{claim} bezout_entries_are_linear
@@ -255,6 +255,8 @@ CLAIM(column_operations_give_the_corrected_recursion)
   i\ge r+n;\qquad r=1,2,\dots,n
 :corrected-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: column_operations_give_the_corrected_recursion
+:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$:
+  $\Omega_i$ divides by it; in the example with $\omega_0=0$ the determinant is 0
 :figure: implicit_recursion
 
 For $r=1$ the two agree.  From $r=2$ on the printed index runs beyond $n$, where there is no $\omega_i$; even with
@@ -339,6 +341,8 @@ The columns $i+r\le2n$ exist, and the determinant does not change.  The text at 
   $a_0,a_1^{[1]},\dots,a_n^{[n]},a_{n+1}^{[n]},\dots,a_{2n-1}^{[n]}$ and the last of the $a$ is
   $a_0,a_1^{[1]},\dots,a_n^{[1]}$
 :reading: an entry $a_{n-1}^{[n]}$, if it is printed: not defined by (3.4.7), which has $i\ge r$
+:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$:
+  $\Omega_i$ divides by it; in the example with $\omega_0=0$ the determinant is 0
 :::
 
 What the operations are good for is seen in the first one: $a_i-\Omega_ia_0=\binom ni\omega_i(x_i-x_0)$ is free of
@@ -352,6 +356,8 @@ $a_0$ and $b_0$; and of these there is one pair in each of the first $n$ columns
   and only $b_0$ contains $y$.
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: changed_entries_are_constants variables_stay_in_the_first_columns
+:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$:
+  $\Omega_i$ divides by it; in the example with $\omega_0=0$ the determinant is 0
 
 The first row of the $a$ is the one of the recursion; the entry $j$ of row $k$ is $a_j^{[r]}$ with $r=\min(j,n-k+1)$.  With the printed recursion,
 which is not the one of the operations, they are constants, too: its first level is the same, and every later one is made of entries of level 1 and more;
@@ -364,6 +370,8 @@ for $n=1$ to $6$ this is run in `changed_entries_are_constants`.
 :printed: And because $a_0$ and $b_0$ stand in the same columns, the conclusion of the theorem holds.
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: variables_stay_in_the_first_columns
+:needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$:
+  $\Omega_i$ divides by it; in the example with $\omega_0=0$ the determinant is 0
 
 The variables stand in $n$ columns, in degree one: a product of one entry from every column has degree at most $n$.
 :::

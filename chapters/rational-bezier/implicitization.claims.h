@@ -235,7 +235,7 @@ Equivalent to (3.4.4), for the same $u$: the sums are its denominator, which is 
 :method: Horner's scheme: the step of an induction on the number of terms, which begins with $c(x_0-x)=cx_0-xc$.  So for every $n$ the sum $\sum a_iu^{n-i}$ is the
   denominator of (3.4.4) times the difference of the first coordinate and $x$; for $b_i$ and $y$ it is the same.
 :degrees: all
-:over: W# c#: weights; A# x#: points; x; u
+:over: W# c#: weights; A# x# x: points; u: -
 :control: $x_i+x$ in the new term
 :::
 */
@@ -301,7 +301,7 @@ With positive weights the denominator never vanishes for $u\ge0$:
   sum $\sum a_iu^{n-i}$ is a positive number times the difference of the first coordinate of (3.4.4) and $x$, and 0 only if the two are equal; for $b_i$ and $y$ it is the same.
 :degrees: all
 :scope: u ≥ 0
-:over: W# c#: weights; A# x#: points; x; u0: -
+:over: W# c#: weights; A# x# x: points; u0: -
 :control: $x_i+x$ in the new term
 :::
 */
@@ -644,12 +644,12 @@ determinant is identically 0.
 :zh: 平面有理曲线可化为隐式方程
 :printed: The rational Bézier curve of degree $n$ on the left of (3.3.1), $a\le t\le b$, can be turned into the implicit equation (3.4.1) when the
   $\mathbf R_i=(x_i,y_i)$, $i=0,1,\dots,n$, are coplanar.
-:holds-by: rows_of_the_determinant_are_shifted_equations sums_are_the_denominator_times_a_difference parameter_change_and_its_inverse
+:holds-by: rows_of_the_determinant_are_shifted_equations sums_are_the_denominator_times_a_difference
   change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power top_form_is_a_resultant_row_by_row
-:confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant common_zero_makes_the_equation_vanish
-  elevation_multiplies_by_one_plus_u
-:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$ its first column is 0; and if the terms of degree $n$ vanished, so would a resultant for
-  every $x:y$, and one zero of the denominator would be a zero of both numerators.
+:confirmed-by: parameter_change_and_its_inverse equation_vanishes_on_the_curve top_form_is_a_resultant
+  common_zero_makes_the_equation_vanish elevation_multiplies_by_one_plus_u
+:argued: | The point of $t\ne a$ is that of $u=\frac{b-t}{t-a}$, by (3.4.3); a square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$, the point of
+  $t=a$, its first column is 0; and if the terms of degree $n$ vanished, so would a resultant for every $x:y$, and one zero of the denominator would be a zero of both numerators.
 :hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, real or complex; else $F$ is 0
   for all $(x,y)$
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$; with $\omega_0=0$ the first
@@ -657,10 +657,10 @@ determinant is identically 0.
 :needs: space_curve_and_its_shadow | the theorem, in which the $\mathbf R_i$ are coplanar | the curve is plane; for a curve of
   space $F=0$ is the equation of a projection, and holds at points that belong to no parameter, as in the example
 :meant: the proof, which shows that $F$ is 0 at the points of the curve, and the word equation | Every point of the curve satisfies $F=0$, and this is an equation: $F$ is not the zero polynomial.
-:reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs none of the hypotheses on weights and common zeros | At such a
-  point, other than $\mathbf R_0$, the sums of (3.4.5) are 0; a square matrix that takes a vector that is not 0 to 0 has the determinant 0.  At
-  $\mathbf R_0$, which is the point of no $u$, the first column is 0.
-:reading-with: sums_are_the_denominator_times_a_difference parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor
+:reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs none of the hypotheses on weights and common zeros | At the
+  point of $t\ne a$, which is that of $u=\frac{b-t}{t-a}$ by (3.4.3), the sums of (3.4.5) are 0; a square matrix that takes a vector that is not 0 to 0 has the determinant 0.  At
+  $\mathbf R_0$, the point of $t=a$ and of no $u$, the first column is 0.
+:reading-with: sums_are_the_denominator_times_a_difference change_of_parameter_acts_on_one_factor
   bernstein_sum_of_powers_is_a_power
 :reading: common_root_of_a_point_off_the_arc | the points with $F=0$ are those of the curve and no others; but a point of a parameter outside of the interval may
   be one
@@ -682,7 +682,7 @@ No common zero and $\omega_0\ne0$ together say that there is no base point, $u=\
   dependent, $gW+h(yA-xB)=0$ with polynomials $g,h$ of degree less than $n$, not both 0; as $h$ has fewer zeros than $W$, one of the $n$ zeros of $W$, $u=\infty$ included, is one of $yA-xB$, and one zero is so for
   infinitely many $x:y$: it is a zero of $A$, $B$ and $W$.
 :degrees: all
-:over: A# B# W#: coefficients; x; y; z
+:over: A# B# W#: coefficients; x y z: -
 :control: $xA-yB$ for $s$
 :::
 */
@@ -871,11 +871,11 @@ CLAIM(rows_of_the_determinant_are_shifted_equations)
 :title: By the theory of resultants F must be 0 at the points of the curve
 :zh: 由结式理论 F 必为零
 :printed: By the theory of the resultant of polynomials the resultant $F(x,y)$ of (3.4.5) must be 0, at the points of the curve.
-:holds-by: rows_of_the_determinant_are_shifted_equations sums_are_the_denominator_times_a_difference parameter_change_and_its_inverse
+:holds-by: rows_of_the_determinant_are_shifted_equations sums_are_the_denominator_times_a_difference
   change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
-:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0.
-:argued: $t=a$, too | At $\mathbf R_0$ the first column of the matrix is 0.
-:confirmed-by: equation_vanishes_on_the_curve implicit_value_vanishes_on_the_curve
+:argued: | The point of $t\ne a$ is that of $u=\frac{b-t}{t-a}$, by (3.4.3); a square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$, the point of
+  $t=a$, its first column is 0.
+:confirmed-by: parameter_change_and_its_inverse equation_vanishes_on_the_curve implicit_value_vanishes_on_the_curve
 
 The second way, `implicit_value_vanishes_on_the_curve`, computes the determinant itself at points of curves.
 :::

@@ -118,6 +118,7 @@ $\omega$ has to be said, and a print that does not say it can be read either way
   $w(u)\,(R_1-M)\times(R^*(u)-M)=(1-2u)\,(R_1-M)\times(R_0-M)$, so the curve meets the line $R_1M$ only for $u=\frac12$
 :method: Identities in the six coordinates, $\omega$ and $u$; the cross product on the right is not 0 for a true
   triangle.
+:over: u: -
 :control: the point $M$ at one third of the chord
 :::
 */

@@ -18,7 +18,7 @@ and gives them simple weights, by a change of the parameter.
 :holds-by: special_coordinates_exist kind_in_any_coordinates directions_at_infinity
 :needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on
   a line: else there is no class to be determined.
-:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | no weight is 0; as for positive weights.
+:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | no weight is 0: positive ones are not.
 :::
 
 :::{claim} special_coordinates_exist
