@@ -20,8 +20,8 @@ ratio of the weights at its ends.
 :definition: yes
 :printed: w_i^{[r]}(t)=w_i,\ r=0;\ i=j-k+1,j-k+2,\dots,j,\qquad w_i^{[r]}(t)=\frac{t-t_i}{t_{i+k-r}-t_i}w_i^{[r-1]}(t)+\frac{t_{i+k-r}-t}{t_{i+k-r}-t_i}
   w_{i-1}^{[r-1]}(t),\ r=1,2,\dots,k-1;\ i=j-k+r+1,j-k+r+2,\dots,j
-:checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span
-:confirmed-by: weights_of_levels_are_positive rational_triangle_gives_the_point
+:checked-by: weights_of_levels_are_those_of_de_boor divisors_contain_the_span
+:confirmed-by: rational_triangle_follows_the_recursion weights_of_levels_are_positive rational_triangle_gives_the_point
 :figure: deboor_triangle
 
 The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t)=w(t)$.
@@ -121,6 +121,41 @@ CLAIM(rational_triangle_follows_the_recursion)
 }
 
 /*
+The weights alone follow a recursion of their own, in which no weight is divided by.
+
+:::{claim} weights_of_levels_are_those_of_de_boor
+:title: The weights of the levels are de Boor's algorithm on the numbers w_i
+:zh: 各层权因子即对 w_i 施行 deBoor 算法
+:given: every segment, the distinct knots variables; any numbers $w_i$, any $t$; every level
+:then: `bspline_deboor_level`, level after level, gives $w_i^{[r]}$
+:method: The kernel against (4.1.3) by its letter, in the indices of the source.
+:degrees: 1..6 sampled 7
+:scope: every pattern of the knots of a segment up to order 4, k+2 of them above; the distinct knots variables up to order 5,
+  numbers above
+:control: the last level is given the numbers 1
+:::
+*/
+CLAIM(weights_of_levels_are_those_of_de_boor)
+{
+    int p = T->degree, k = p + 1, j = k;
+    struct G(knot_vector) K = {0};
+    num w[MOST_KNOTS], v[MOST_KNOTS], t = unknown(T, "t", 0);
+    for (int i = 0; i < k; i++)
+        w[i] = unknown(T, "w", i);
+    for (int number = G(segment_knots)(T, p, 0, &K); number > 0; number = G(segment_knots)(T, p, number, &K)) {
+        for (int m = 0; m < k; m++)
+            v[m] = w[m];
+        for (int r = 1; r <= p; r++) {
+            for (int m = 0; T->faulty && r == p && m <= k - r; m++)
+                v[m] = from_int(1);
+            G(bspline_deboor_level)(G(on_span)(p, 1, K.u, j - 1, NULL), r, v, t);
+            for (int m = 0; m < k - r; m++)
+                same(T, v[m], G(printed_weight)(k, K.u, w, r, j - k + r + 1 + m, t));
+        }
+    }
+}
+
+/*
 That these numbers are defined at all depends on the range of $i$, which is printed with care: one index lower, and the divisor
 belongs to an interval that does not contain $[t_j,t_{j+1}]$, and may be $0$. Inside the range all knots but $t_j<t_{j+1}$ may
 coincide.
@@ -159,7 +194,10 @@ CLAIM(divisors_contain_the_span)
 :holds-by: rational_triangle_gives_the_point
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise the recursion may stop before the point, though the curve has it
 :reading: rational_triangle_gives_the_point | $i$ is the only index that the level $k-1$ has, $i=j$
+:confirmed-by: weights_of_levels_are_positive
 :figure: deboor_triangle
+
+With positive weights and $t$ in the interval the weights of all levels are positive, so not 0: `weights_of_levels_are_positive`.
 :::
 
 :::{claim} rational_triangle_gives_the_point
@@ -267,10 +305,13 @@ CLAIM(other_interval_gives_other_point)
   fixed $t$ of an interval half-open on the right, $k\le j\le n$
 :holds-by: rational_triangle_gives_the_point
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise the recursion may stop before the point, though the curve has it
-:meant: the intervals are printed | The parameters of the printed intervals.
+:meant: the intervals, which are printed | The parameters of the printed intervals.
 :reading: rational_triangle_gives_the_point | for the parameters of the printed intervals
 :reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
+:confirmed-by: weights_of_levels_are_positive
 :figure: missing_end
+
+With positive weights and $t$ in the interval the weights of all levels are positive, so not 0: `weights_of_levels_are_positive`.
 :::
 
 :::{claim} end_is_in_no_interval

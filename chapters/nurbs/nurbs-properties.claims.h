@@ -20,7 +20,7 @@ the curve itself rather than about its homogeneous form has to be carried throug
 :printed: The curve (4.1.2) also has properties similar to 2.3.1-2.3.7; as those of its special cases are treated in the chapters before, they can easily be written down
   one by one (preface)
 :reading: moved_point_changes_its_support | local control: moving $r_i$, or changing $w_i$, changes the curve on
-  $[t_i,t_{i+k})$ only
+  $[t_i,t_{i+k}]$ only
 :reading: point_is_in_the_hull_of_k_points | convex hull, span by span, for positive weights
 :reading: negative_weight_leaves_the_hull | the same for weights of both signs
 :reading: sides_agree_up_to_order_less_multiplicity | continuity of order $k-1-m$ at a knot of multiplicity $m$ | Where the derivatives of the basis functions agree, those
@@ -45,7 +45,8 @@ Chapter 2 of the source is not part of the text at hand, so that the seven numbe
 :zh: 局部性
 :given: several segments, the distinct knots variables; points, weights; any $\Delta$, positive $\delta$; every $i$, interval and $t$
 :then: $r_i+\Delta$ in the place of $r_i$ changes $r(t)$ by $N_{i,k}w_i\Delta/w(t)$; $w_i+\delta$ in the place of $w_i$ changes it
-  by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ outside $[t_i,t_{i+k})$
+  by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ on the intervals
+  outside $[t_i,t_{i+k}]$
 :method: All terms of the definition, before and after.
 :degrees: 1..6 sampled 6
 :scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
