@@ -533,20 +533,26 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :::{claim} weights_enter_the_coefficients
 :title: The ratio of an edge is de Boor's ratio times the ratio of the weights
 :zh: 割角比等于 deBoor 割角比乘以权因子之比
-:given: $a$, the coefficient of de Boor's algorithm; the weights $v$, $w$ at the ends of the edge
-:let: $\lambda=a\,w/(a\,w+(1-a)\,v)$
+:given: $t$, the knots $t_i$ and $t_{i+k-r}$; the weights $v=w_{i-1}^{[r-1]}$, $w=w_i^{[r-1]}$ at the ends of the edge
+:let: $a=(t-t_i)/(t_{i+k-r}-t_i)$, the coefficient of de Boor's algorithm; $\lambda=(t-t_i)w/[(t-t_i)w+(t_{i+k-r}-t)v]$, that of (4.1.4)
 :then: $\frac\lambda{1-\lambda}=\frac a{1-a}\cdot\frac wv$, and $\lambda-a=a(1-a)(w-v)/(a\,w+(1-a)\,v)$
-:method: $\lambda$ as the level of the kernel divides an edge of length 1; $a$, $v$ and $w$ variables.
-:over: v w: weight; a: coefficient of de Boor's algorithm
+:method: $\lambda$ as the level of the kernel divides an edge of length 1; $t$, the knots, $v$ and $w$ variables.
+:over: v w: weight; x#: knots
 :where: no divisor is 0
 :control: $v$ and $w$ exchanged
 :::
 */
 CLAIM(weights_enter_the_coefficients)
 {
-    num v = positive(T, "v", 0), w = positive(T, "w", 0), a = parameter(T, "a"), one = from_int(1), b = sub(one, a);
-    num u[] = {neg(one), from_int(0), one, from_int(2)}, P[] = {from_int(0), one}, weights[] = {v, w};
-    G(nurbs_deboor_level)(G(nurbs_on_span)(1, 1, u, 1, NULL, NULL), 1, P, weights, a);
+    num v = positive(T, "v", 0), w = positive(T, "w", 0), from = unknown(T, "x", 0), one = from_int(1);
+#if FIELD
+    num to = unknown(T, "x", 1), t = unknown(T, "t", 0);
+#else
+    num to = add(from, positive(T, "h", 1)), t = add(from, mul(sub(to, from), parameter(T, "t")));
+#endif
+    num a = div(sub(t, from), sub(to, from)), b = sub(one, a);
+    num u[] = {sub(from, one), from, to, add(to, one)}, P[] = {from_int(0), one}, weights[] = {v, w};
+    G(nurbs_deboor_level)(G(nurbs_on_span)(1, 1, u, 1, NULL, NULL), 1, P, weights, t);
     if (T->faulty) {
         num kept = v;
         v = w;
