@@ -554,6 +554,7 @@ The point itself asks for less: whatever knots stand between, and at either end.
 :zh: 两端 k-1 重节点时曲线首末点即首末顶点
 :given: $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$, with $t_1$ and $t_{n+k}$ equal to these knots or not, and an inner knot of every multiplicity $0,\dots,k$,
   values variables; weights and points
+:harmless: $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$ | the scope tells the multiplicities of the ends
 :then: $r(t_k)=r_1$, and $r(t_{n+1})=r_n$ as a limit from the left
 :method: All terms of the definition.
 :degrees: 1..6 sampled 6
