@@ -242,7 +242,8 @@ which the later proof answers in another way than the definition of the $\alpha$
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: otherwise all
   $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
 :hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: with more than $k$ equal knots at the end there are such points, whatever is inserted
-:meant: the line after (4.1.6): all notation is that of 2.10 | The $\alpha$ of 2.10, as they are read here: intervals closed on the left.
+:meant: the line after (4.1.6): all notation is that of 2.10 | The $\alpha$ of 2.10, which is not in the text at hand: here those of Cohen, Lyche and
+  Riesenfeld, with intervals closed on the left.
 :reading: knots_outside_the_domain_cut_corners | with these $\alpha$, for one knot outside the domain, too, over simple knots
 :reading: knot_at_an_outer_end_has_no_shares | with these $\alpha$, for a knot inserted at $t_1$ or at $t_{n+k}$ where these are single knots: the first or the last new weight is 0
 :reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals

@@ -38,6 +38,8 @@ The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a weight of a level may
   vanish and stop the algorithm, where the curve has a point
+:needs: weight_of_a_level_vanishes_outside_the_interval | algorithm 4.1.1: $t\in[t_i,t_{i+1})$, whose $i$ is the $j$ of `alg-4.1.1-interval` | $t$ is in
+  $[t_j,t_{j+1})$: outside it a weight of a level may vanish, though the given ones are positive
 :figure: deboor_triangle
 :::
 */
@@ -193,6 +195,8 @@ CLAIM(divisors_contain_the_span)
 :printed: r(t)=r_i^{[k-1]}(t)
 :holds-by: rational_triangle_gives_the_point
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise the recursion may stop before the point, though the curve has it
+:needs: other_interval_gives_other_point | algorithm 4.1.1: $t\in[t_i,t_{i+1})$, whose $i$ is the $j$ of `alg-4.1.1-interval` | $t$ is in
+  $[t_j,t_{j+1})$: with the $j$ of another interval the last point is one of another segment
 :reading: rational_triangle_gives_the_point | $i$ is the only index that the level $k-1$ has, $i=j$
 :confirmed-by: weights_of_levels_are_positive
 :figure: deboor_triangle
