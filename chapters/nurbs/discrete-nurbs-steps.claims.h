@@ -589,7 +589,7 @@ CLAIM(index_of_another_interval_is_another_point)
   (4.1.8) and (4.1.9)
 :meant: the index $\mu$ in (4.1.9), the proof of lemma 4.2.1, and the reference to section 2.10 | $t'\in(t_\mu,t_{\mu+1}]$, see `thm-4.1.1-index`; the
   $\alpha$ of (4.1.6) with intervals closed on the left, see `formula-4.1.6`; other readings are at these entries and at `formula-4.1.9`.
-:holds-by: steps_of_refinement_compose refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
+:holds-by: steps_of_refinement_compose weights_of_both_steps_are_positive refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
 :hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot: for (4.1.9)

@@ -311,7 +311,7 @@ CLAIM(other_interval_gives_other_point)
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise the recursion may stop before the point, though the curve has it
 :meant: the intervals, which are printed | The parameters of the printed intervals.
 :reading: rational_triangle_gives_the_point | for the parameters of the printed intervals
-:reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
+:reading: end_is_in_no_interval | for every $t$ of the curve, its end included, though that is not printed: none of the intervals contains $t_{n+1}$
 :confirmed-by: weights_of_levels_are_positive
 :figure: missing_end
 
