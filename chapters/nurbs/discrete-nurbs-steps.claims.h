@@ -539,7 +539,7 @@ CLAIM(clamped_start_has_no_such_point)
 :::{statement} wang-ch4:thm-4.1.1-index
 :title: The interval of the theorem
 :zh: 定理 4.1.1 中 t' 所在区间的下标
-:printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
+:printed: Let $t'\in(t_u,t_{u+1}]$; the vertex $r_{\mu,k}^{(T,\{t'\}^{k-1})}$ of (4.1.9) has the index $\mu$
 :class: misprint
 :refuted-by: index_of_another_interval_is_another_point
 :corrected: $t'\in(t_\mu,t_{\mu+1}]$; with the two hypotheses of `formula-4.1.9`: inside the domain $t'$ is at most a $(k-1)$-fold knot, and $t'>t_k$ when $t_k$ is at least a
