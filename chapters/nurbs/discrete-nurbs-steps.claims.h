@@ -20,10 +20,11 @@ becomes the point, and what has to be decided about it is the index.
 :zh: 分两步嵌入节点
 :printed: r_{j,k}^{(T,T')}=\sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)}r_{l,k}^{(T,T_1)}\Big/
   \sum_l\alpha_{l,k}^{(T\oplus T_1,T_2)}(j)w_{l,k}^{(T,T_1)},\quad T'=T_1\oplus T_2
-:holds-by: steps_of_refinement_compose discrete_bsplines_compose
+:holds-by: steps_of_refinement_compose discrete_bsplines_compose weights_of_both_steps_are_positive
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T_1$ and $T_2$ are in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: in the example, whose $T'$ is $T_1$ here,
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T_1$ and $T_2$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: in the example, whose $T'$ is $T_1$ here,
   the last $r_l^{(T,T_1)}$ is $\frac00$, and the sum has it
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: in the example, too, $T'$ is $T_1$ here, and the last $r_l^{(T,T_1)}$ is $\frac00$
 :figure: insertions_commute
 
 The weights follow the same way, which the source does not print.
@@ -128,6 +129,56 @@ CLAIM(steps_of_refinement_compose)
             about(T, "the new weights");
             same(T, z2[j], z[j]);
         }
+    }
+}
+
+/*
+The divisors are the new weights. In the domain they are means of the old ones; in front of it and behind it the shares sum up to less than 1, but they
+do not vanish.
+
+:::{claim} weights_of_both_steps_are_positive
+:title: With positive weights those of both steps are positive
+:zh: 权因子为正时两步所得权因子均为正
+:given: the triples $T$, $T_1$, $T_2$ of patterns of knots with any positive gaps; positive weights
+:then: $w_l^{(T,T_1)}>0$ and $w_j^{(T,T')}>0$ for all $l$ and $j$
+:method: (4.1.6) by its letter; signs are read off coefficients in the gaps and the weights.
+:degrees: 1..6 sampled 6
+:scope: 20 triples of patterns of knots
+:control: all weights negative
+:::
+*/
+/* The weights of the refinement r are positive. */
+static void G(must_have_positive_weights)(trial *T, int p, const struct G(refinement) * r, const num w[])
+{
+    for (int j = 0; j < r->m; j++) {
+        num sum = from_int(0);
+        for (int i = 0; i < r->n; i++)
+            sum = add(sum, mul(G(alpha)(p, r->u, r->place, r->v, r->at, i, j), w[i]));
+        G(must_be_positive)(T, sum);
+    }
+}
+
+CLAIM(weights_of_both_steps_are_positive)
+{
+    int p = T->degree;
+    struct G(refinement) whole_step, first;
+    num w[MOST_KNOTS];
+    for (int i = 0; i < MOST_KNOTS; i++) {
+        num weight = positive(T, "w", i);
+        w[i] = fault(T, weight, neg(weight));
+    }
+    for (int k = 0; G(triples)[p][k] != NULL; k += 3) {
+        const char *old = G(triples)[p][k], *one = G(triples)[p][k + 1], *two = G(triples)[p][k + 2];
+        char both[MOST_KNOTS];
+        G(union_of_patterns)(one, two, both);
+        G(increasing_knots)(T, (int)strlen(old), 6, whole_step.x);
+        first = whole_step;
+        G(refine_pair)(old, both, p, &whole_step);
+        G(refine_pair)(old, one, p, &first);
+        about(T, "the weights of the first step");
+        G(must_have_positive_weights)(T, p, &first, w);
+        about(T, "the weights of both steps");
+        G(must_have_positive_weights)(T, p, &whole_step, w);
     }
 }
 
@@ -247,7 +298,7 @@ Insert one knot often enough and a new point is the point of the curve.
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise $w(t')$, which is the weight of $r_\mu$, may be $0$
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
   limit of the curve from the left
-:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: for $t_1=t_k$ it is $\mu=0$, and there is no
+:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is at least a $k$-fold knot: for $t_1=t_k$ it is $\mu=0$, and there is no
   $r_0$; for $t_1<t_k$ the point $r_\mu$ has no share in the curve
 :reading: right_value_with_the_other_interval | with $t'\in[t_\mu,t_{\mu+1})$, the intervals of algorithm 4.1.1: for every
   multiplicity $0,\dots,k$ and at a $k$-fold $t_k$, where the value is the limit from the right; the end $t_{n+1}$ is then not included
@@ -488,11 +539,11 @@ CLAIM(clamped_start_has_no_such_point)
 :::{statement} wang-ch4:thm-4.1.1-index
 :title: The interval of the theorem
 :zh: 定理 4.1.1 中 t' 所在区间的下标
-:printed: Let $t'\in(t_u,t_{u+1}]$; then $r_k(t')=r_{\mu,k}^{(T,\{t'\}^{k-1})}$
+:printed: Let $t'\in(t_u,t_{u+1}]$; the vertex $r_{\mu,k}^{(T,\{t'\}^{k-1})}$ of (4.1.9) has the index $\mu$
 :class: misprint
 :refuted-by: index_of_another_interval_is_another_point
-:corrected: $t'\in(t_\mu,t_{\mu+1}]$; with the two hypotheses of `formula-4.1.9`, that $t'$ is inside the domain at most a $(k-1)$-fold knot, and greater than a
-  $k$-fold $t_k$
+:corrected: $t'\in(t_\mu,t_{\mu+1}]$; with the two hypotheses of `formula-4.1.9`: inside the domain $t'$ is at most a $(k-1)$-fold knot, and $t'>t_k$ when $t_k$ is at least a
+  $k$-fold knot
 :corrected-by: repeated_insertion_reaches_the_curve
 :figure: insertion_to_the_curve
 
@@ -538,10 +589,11 @@ CLAIM(index_of_another_interval_is_another_point)
   (4.1.8) and (4.1.9)
 :meant: the index $\mu$ in (4.1.9), the proof of lemma 4.2.1, and the reference to section 2.10 | $t'\in(t_\mu,t_{\mu+1}]$, see `thm-4.1.1-index`; the
   $\alpha$ of (4.1.6) with intervals closed on the left, see `formula-4.1.6`; other readings are at these entries and at `formula-4.1.9`.
-:holds-by: steps_of_refinement_compose refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6)
+:holds-by: steps_of_refinement_compose weights_of_both_steps_are_positive refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot: for (4.1.9)
-:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is a $k$-fold knot: for (4.1.9)
+:hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is at least a $k$-fold knot: for (4.1.9)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: insertion_to_the_curve
 :::

@@ -33,7 +33,7 @@ begin with $\alpha_{i,1}(j)=1$ for $t_i\le t'_j<t_{i+1}$, $t'_j$ the knots of $T
 :figure: nurbs_polygons_converge
 
 For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
-$i=j$ and $0$ otherwise.
+$i=j$ and $0$ otherwise.  For which $T$ and $T'$ all vertices exist is the matter of `formula-4.1.6`.
 :::
 */
 
@@ -160,7 +160,7 @@ CLAIM(refined_data_give_the_same_curve)
 :::{statement} wang-ch4:notation-order
 :title: The order as index of curve and polygon
 :zh: 曲线与多边形记号中的阶数下标
-:printed: In 4.1 the discrete curve of order $k$ is $\Gamma_\iota^{(T)}(T')$; in lemma 4.2.1 the polygon of order $k$ is
+:printed: In 4.1 the discrete curve of order $k$ is $\Gamma_\iota^{(T)}(T')$; in the proof of lemma 4.2.1 the polygon of order $k$ is
   $\Gamma^{(T\oplus T')}(\Phi)$; in lemma 4.2.2 the NURBS curve is $r_t(t)$
 :class: misprint
 :refuted-by: three_names_lack_the_order
@@ -239,17 +239,19 @@ which the later proof answers in another way than the definition of the $\alpha$
 :holds-by: refined_data_give_the_same_curve discrete_bsplines_are_shares
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a new weight may be
   $0$, and there is no new point though the curve is there
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: otherwise all
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: otherwise all
   $\alpha_{i,k}(j)$, $1\le i\le n$, may be $0$ for some points, and (4.1.6) is $0/0$
-:meant: the line after (4.1.6): all notation is that of 2.10 | The $\alpha$ of 2.10, as they are read here: intervals closed on the left.
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: with more than $k$ equal knots at the end there are such points, whatever is inserted
+:meant: the line after (4.1.6): all notation is that of 2.10 | The $\alpha$ of 2.10, which is not in the text at hand: here those of Cohen, Lyche and
+  Riesenfeld, with intervals closed on the left.
 :reading: knots_outside_the_domain_cut_corners | with these $\alpha$, for one knot outside the domain, too, over simple knots
-:reading: knot_at_an_outer_end_has_no_shares | with these $\alpha$, for $t_1$ and $t_{n+k}$ that are single knots: the first or the last weight is 0
+:reading: knot_at_an_outer_end_has_no_shares | with these $\alpha$, for a knot inserted at $t_1$ or at $t_{n+k}$ where these are single knots: the first or the last new weight is 0
 :reading: insertion_at_a_clamped_start_asks_for_another_point | with the $\alpha_i$ that the proof of lemma 4.2.1 prints, intervals
   closed on the right, for a knot at the start of a clamped curve: $\tau=t_1$ has to be excluded
 :reading: clamped_end_may_be_inserted_again | with the same $\alpha_i$ a $k$-fold right end may be inserted, which repeats $r_n$
 :figure: nurbs_polygons_converge
 
-With positive weights and $T'$ in the domain, without a $k$-fold $t_{n+1}$, all new weights lie between the least and the greatest of the old
+With positive weights and $T'$ in the domain, but not at a $k$-fold $t_{n+1}$, all new weights lie between the least and the greatest of the old
 ones: `discrete_bsplines_are_shares`.
 :::
 */
@@ -467,19 +469,39 @@ CLAIM(negative_weight_loses_a_vertex_beside_the_common_point)
 :control: the inserted knot inside
 :::
 */
-CLAIM(knot_at_a_k_fold_end_has_no_shares)
+/* Of the given linear curve with n points, one knot inserted: whether the weight of the last new point, called `name`, is positive. */
+static int G(last_new_weight_is_positive)(trial *T, int n, const char *name)
 {
     struct G(refinement) r;
-    num w[2], share[2];
-    G(given_refinement)(T, 1, 4, 1, &r);
-    given_points(T, "w", 2, 1, w);
+    num w[3], share[3];
+    G(given_refinement)(T, 1, n + 2, 1, &r);
+    given_points(T, "w", n, 1, w);
     G(shares_of_point)(1, &r, r.m - 1, share);
-    found_points(T, "α_i,2(j)", 2, 1, share);
+    found_points(T, "α_i,2(j)", n, 1, share);
     num sum = G(new_weight)(1, &r, w, r.m - 1);
-    found(T, "w_3^(T,T')", sum);
+    found(T, name, sum);
     about(T, "the new weight is positive");
-    agree(T, sign_q(sum) > 0);
+    return sign_q(sum) > 0;
 }
+
+CLAIM(knot_at_a_k_fold_end_has_no_shares) { agree(T, G(last_new_weight_is_positive)(T, 2, "w_3^(T,T')")); }
+
+/*
+:::{claim} end_of_more_than_k_knots_has_no_shares
+:title: More than k equal knots at the end make a point without shares
+:zh: 末端节点超过 k 重时所得顶点无意义
+:kind: counterexample
+:given: the knots $T$ of a linear curve, of which the last three are equal; a knot inserted inside the domain; weights $w$; the last of the new points,
+  number $j$
+:data: T = 0 0 2 2 2; T' = 1; w = 1 1 1
+:instead: T = 0 0 2 2 3
+:then: all $\alpha_{i,2}(j)$ vanish, and so does $w_j^{(T,T')}$
+:result: α_i,2(j) = 0 0 0; w_4^(T,T') = 0
+:method: (4.1.6) by its letter.
+:control: the last knot greater than the others
+:::
+*/
+CLAIM(end_of_more_than_k_knots_has_no_shares) { agree(T, G(last_new_weight_is_positive)(T, 3, "w_4^(T,T')")); }
 
 /*
 :::{claim} knot_at_an_outer_end_has_no_shares
@@ -525,12 +547,13 @@ beyond $k$, where some of the new functions are $0$ and some of the new points d
 :title: The new points and weights belong to the same curve
 :zh: 嵌入节点后曲线不变
 :printed: r_k(t)=\sum_jN_{j,k}^{(T\oplus T')}(t)w_{j,k}^{(T,T')}r_{j,k}^{(T,T')}\Big/\sum_jN_{j,k}^{(T\oplus T')}(t)w_{j,k}^{(T,T')}
-:holds-by: refined_data_give_the_same_curve discrete_bsplines_refine_the_basis
+:holds-by: refined_data_give_the_same_curve discrete_bsplines_refine_the_basis discrete_bsplines_are_shares
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive: as for (4.1.6)
 :reading: refined_data_give_the_same_curve | a knot of $T\oplus T'$ may become more than $k$-fold: the new $N_{j,k}$ between its
   copies are zero, and such $r_j$ do not count
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: otherwise a term of the sum is
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: otherwise a term of the sum is
   $0\cdot\frac00$
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: otherwise, too, a term is $0\cdot\frac00$
 :reading: knots_outside_the_domain_cut_corners | for one knot outside the domain, in $(t_1,t_{n+k})$, too, over simple knots
 :figure: insertions_commute
 :::

@@ -19,10 +19,10 @@ of the curve and the curve does not jump, and then with the square of the larges
   $\lim_{m\to\infty}\Gamma_k^{(T)}(T_m')=r_k(t)$ (4.1.10)
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
-:hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve; otherwise $r_1$, a
-  vertex of every polygon, may keep its distance
+:hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve; otherwise $r_1$ may keep its distance, and it is a
+  vertex of every polygon, whatever is inserted, as of the $\alpha_{i,k}(1)$ only $\alpha_{1,k}(1)$ is not $0$
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide: otherwise every
-  polygon keeps the edge over which the curve jumps
+  polygon, whatever is inserted, keeps the edge over which the curve jumps
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: definition 4.1.1, which says what the polygon is | The whole polygon, so that the first hypothesis is needed.
 :reading: first_vertex_stays_off_the_curve | the whole polygon, over any knots
@@ -43,7 +43,7 @@ of the curve and the curve does not jump, and then with the square of the larges
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: knot_at_an_outer_end_has_no_shares | the $T_m'$ are in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6)
+:hypothesis: knot_at_an_outer_end_has_no_shares | the knots of the $T_m'$ are in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, the largest gap $h_m\to0$
 :hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide

@@ -587,6 +587,7 @@ CLAIM(both_conventions_of_the_span_are_right)
 :then: $\alpha_i=1$ for $i\le n$ and $\alpha_{n+1}=0$: the new points are $r_1,\dots,r_n,r_n$
 :method: All $\alpha_i$ by the printed cases, with the knots variables.
 :degrees: k = 2..6
+:scope: clamped ends with two simple knots between
 :control: $\tau=t_n$, in $(t_{n-1},t_n]$
 :::
 */

@@ -20,8 +20,8 @@ ratio of the weights at its ends.
 :definition: yes
 :printed: w_i^{[r]}(t)=w_i,\ r=0;\ i=j-k+1,j-k+2,\dots,j,\qquad w_i^{[r]}(t)=\frac{t-t_i}{t_{i+k-r}-t_i}w_i^{[r-1]}(t)+\frac{t_{i+k-r}-t}{t_{i+k-r}-t_i}
   w_{i-1}^{[r-1]}(t),\ r=1,2,\dots,k-1;\ i=j-k+r+1,j-k+r+2,\dots,j
-:checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span
-:confirmed-by: weights_of_levels_are_positive rational_triangle_gives_the_point
+:checked-by: weights_of_levels_are_those_of_de_boor divisors_contain_the_span
+:confirmed-by: rational_triangle_follows_the_recursion weights_of_levels_are_positive rational_triangle_gives_the_point
 :figure: deboor_triangle
 
 The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t)=w(t)$.
@@ -38,6 +38,8 @@ The weights are de Boor's algorithm on the numbers $w_i$, so that $w_j^{[k-1]}(t
 :checked-by: rational_triangle_follows_the_recursion divisors_contain_the_span weights_of_levels_are_positive
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a weight of a level may
   vanish and stop the algorithm, where the curve has a point
+:needs: weight_of_a_level_vanishes_outside_the_interval | algorithm 4.1.1: $t\in[t_i,t_{i+1})$, whose $i$ is the $j$ of `alg-4.1.1-interval` | $t$ is in
+  $[t_j,t_{j+1})$: outside it a weight of a level may vanish, though the given ones are positive
 :figure: deboor_triangle
 :::
 */
@@ -121,6 +123,41 @@ CLAIM(rational_triangle_follows_the_recursion)
 }
 
 /*
+The weights alone follow a recursion of their own, in which no weight is divided by.
+
+:::{claim} weights_of_levels_are_those_of_de_boor
+:title: The weights of the levels are de Boor's algorithm on the numbers w_i
+:zh: 各层权因子即对 w_i 施行 deBoor 算法
+:given: every segment, the distinct knots variables; any numbers $w_i$, any $t$; every level
+:then: `bspline_deboor_level`, level after level, gives $w_i^{[r]}$
+:method: The kernel against (4.1.3) by its letter, in the indices of the source.
+:degrees: 1..6 sampled 7
+:scope: every pattern of the knots of a segment up to order 4, k+2 of them above; the distinct knots variables up to order 5,
+  numbers above
+:control: the last level is given the numbers 1
+:::
+*/
+CLAIM(weights_of_levels_are_those_of_de_boor)
+{
+    int p = T->degree, k = p + 1, j = k;
+    struct G(knot_vector) K = {0};
+    num w[MOST_KNOTS], v[MOST_KNOTS], t = unknown(T, "t", 0);
+    for (int i = 0; i < k; i++)
+        w[i] = unknown(T, "w", i);
+    for (int number = G(segment_knots)(T, p, 0, &K); number > 0; number = G(segment_knots)(T, p, number, &K)) {
+        for (int m = 0; m < k; m++)
+            v[m] = w[m];
+        for (int r = 1; r <= p; r++) {
+            for (int m = 0; T->faulty && r == p && m <= k - r; m++)
+                v[m] = from_int(1);
+            G(bspline_deboor_level)(G(on_span)(p, 1, K.u, j - 1, NULL), r, v, t);
+            for (int m = 0; m < k - r; m++)
+                same(T, v[m], G(printed_weight)(k, K.u, w, r, j - k + r + 1 + m, t));
+        }
+    }
+}
+
+/*
 That these numbers are defined at all depends on the range of $i$, which is printed with care: one index lower, and the divisor
 belongs to an interval that does not contain $[t_j,t_{j+1}]$, and may be $0$. Inside the range all knots but $t_j<t_{j+1}$ may
 coincide.
@@ -158,8 +195,13 @@ CLAIM(divisors_contain_the_span)
 :printed: r(t)=r_i^{[k-1]}(t)
 :holds-by: rational_triangle_gives_the_point
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise the recursion may stop before the point, though the curve has it
+:needs: other_interval_gives_other_point | algorithm 4.1.1: $t\in[t_i,t_{i+1})$, whose $i$ is the $j$ of `alg-4.1.1-interval` | $t$ is in
+  $[t_j,t_{j+1})$: with the $j$ of another interval the last point is one of another segment
 :reading: rational_triangle_gives_the_point | $i$ is the only index that the level $k-1$ has, $i=j$
+:confirmed-by: weights_of_levels_are_positive
 :figure: deboor_triangle
+
+With positive weights and $t$ in the interval the weights of all levels are positive, so not 0: `weights_of_levels_are_positive`.
 :::
 
 :::{claim} rational_triangle_gives_the_point
@@ -267,10 +309,13 @@ CLAIM(other_interval_gives_other_point)
   fixed $t$ of an interval half-open on the right, $k\le j\le n$
 :holds-by: rational_triangle_gives_the_point
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise the recursion may stop before the point, though the curve has it
-:meant: the intervals are printed | The parameters of the printed intervals.
+:meant: the intervals, which are printed | The parameters of the printed intervals.
 :reading: rational_triangle_gives_the_point | for the parameters of the printed intervals
-:reading: end_is_in_no_interval | for every $t$ of the curve, which is not printed: none of the intervals contains $t_{n+1}$
+:reading: end_is_in_no_interval | for every $t$ of the curve, its end included, though that is not printed: none of the intervals contains $t_{n+1}$
+:confirmed-by: weights_of_levels_are_positive
 :figure: missing_end
+
+With positive weights and $t$ in the interval the weights of all levels are positive, so not 0: `weights_of_levels_are_positive`.
 :::
 
 :::{claim} end_is_in_no_interval
@@ -492,20 +537,26 @@ weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :::{claim} weights_enter_the_coefficients
 :title: The ratio of an edge is de Boor's ratio times the ratio of the weights
 :zh: 割角比等于 deBoor 割角比乘以权因子之比
-:given: $a$, the coefficient of de Boor's algorithm; the weights $v$, $w$ at the ends of the edge
-:let: $\lambda=a\,w/(a\,w+(1-a)\,v)$
+:given: $t$, the knots $t_i$ and $t_{i+k-r}$; the weights $v=w_{i-1}^{[r-1]}$, $w=w_i^{[r-1]}$ at the ends of the edge
+:let: $a=(t-t_i)/(t_{i+k-r}-t_i)$, the coefficient of de Boor's algorithm; $\lambda=(t-t_i)w/[(t-t_i)w+(t_{i+k-r}-t)v]$, that of (4.1.4)
 :then: $\frac\lambda{1-\lambda}=\frac a{1-a}\cdot\frac wv$, and $\lambda-a=a(1-a)(w-v)/(a\,w+(1-a)\,v)$
-:method: $\lambda$ as the level of the kernel divides an edge of length 1; $a$, $v$ and $w$ variables.
-:over: v w: weight; a: coefficient of de Boor's algorithm
+:method: $\lambda$ as the level of the kernel divides an edge of length 1; $t$, the knots, $v$ and $w$ variables.
+:over: v w: weight; x#: knots
 :where: no divisor is 0
 :control: $v$ and $w$ exchanged
 :::
 */
 CLAIM(weights_enter_the_coefficients)
 {
-    num v = positive(T, "v", 0), w = positive(T, "w", 0), a = parameter(T, "a"), one = from_int(1), b = sub(one, a);
-    num u[] = {neg(one), from_int(0), one, from_int(2)}, P[] = {from_int(0), one}, weights[] = {v, w};
-    G(nurbs_deboor_level)(G(nurbs_on_span)(1, 1, u, 1, NULL, NULL), 1, P, weights, a);
+    num v = positive(T, "v", 0), w = positive(T, "w", 0), from = unknown(T, "x", 0), one = from_int(1);
+#if FIELD
+    num to = unknown(T, "x", 1), t = unknown(T, "t", 0);
+#else
+    num to = add(from, positive(T, "h", 1)), t = add(from, mul(sub(to, from), parameter(T, "t")));
+#endif
+    num a = div(sub(t, from), sub(to, from)), b = sub(one, a);
+    num u[] = {sub(from, one), from, to, add(to, one)}, P[] = {from_int(0), one}, weights[] = {v, w};
+    G(nurbs_deboor_level)(G(nurbs_on_span)(1, 1, u, 1, NULL, NULL), 1, P, weights, t);
     if (T->faulty) {
         num kept = v;
         v = w;

@@ -362,7 +362,7 @@ CLAIM(right_end_belongs_to_no_interval)
 :definition: yes
 :printed: $t_j\le t_{j+1}$, and the $\tilde r_i$ are called the control points of the curve
 :checked-by: every_point_counts
-:meant: the sentence gives a name | Nothing is said about a share in the curve; the readings say when the points that are called so have one.
+:meant: the sentence, which gives a name | Nothing is said about a share in the curve; the readings say when the points that are called so have one.
 :reading: too_multiple_knot_loses_a_point | knots of any multiplicity, and every point has a share: for $t_i=t_{i+k}$ the function
   $N_{i,k}$ is zero and $r_i$ has none
 :reading: multiple_first_knot_loses_a_point | knots at most $k$-fold, and every point has a share: without $t_k<t_{k+1}$
@@ -483,7 +483,8 @@ CLAIM(multiple_first_knot_loses_a_point) { agree(T, G(linear_function_counts)(T,
 :checked-by: nurbs_point_is_the_weighted_mean
 :figure: nurbs_definition
 
-This is a polynomial spline in four-dimensional space; the rational curve is its central projection.
+This is a polynomial spline in four-dimensional space, whatever the weights are; the rational curve is its central projection, for which
+$w(t)\ne0$ is needed.
 :::
 
 :::{statement} wang-ch4:formula-4.1.2
@@ -559,7 +560,7 @@ hide unequal weights, independent ones cannot.
 :zh: 权相等时退化为 B 样条曲线
 :printed: For $w_1=w_2=\dots=w_n$ the curve (4.1.2) degenerates to the B-spline curve (2.2.1)
 :holds-by: equal_weights_give_bspline
-:reading: only_proportional_weights_give_the_bspline | as a criterion: no other weights do, if the points of a span are affinely independent, or if $\sum N_{i,k}r_i$ is of no
+:reading: only_proportional_weights_give_the_bspline | as a criterion, span by span: no other weights of its $k$ points do, if these are affinely independent, or if $\sum N_{i,k}r_i$ is of no
   less than degree $k-1$ on it | The coefficients $N_{i,k}(w_i-w(t))$ sum up to 0, so that for affinely independent points each of them is 0; no $N_{i,k}$ of the span is 0, so every $w_i$ is $w(t)$, and all
   are equal.  In space more than 4 points are not: there the numerator, of
   degree $k-1$ at most, is $w(t)$ times a polynomial of degree $k-1$, so that $w(t)$ is constant, and the $N_{i,k}$ being linearly independent and of sum 1, every $w_i$ is this constant.
@@ -646,14 +647,14 @@ but of other points; the star in the printed formula leaves open which is meant.
   $r(t)=\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*r_i^*\Big/\sum_{i=1}^kB_{i-1}^{k-1}[(t-t_k)/(t_{k+1}-t_k)]\,w_i^*$,
   $t_k\le t\le t_{k+1}$
 :holds-by: bezier_knots_give_rational_bezier
-:meant: the range $t_k\le t\le t_{k+1}$ is printed closed | At $t=t_{k+1}$ the limit from the left, as `def-4.1.1-interval` says
+:meant: the range $t_k\le t\le t_{k+1}$, which is printed closed | At $t=t_{k+1}$ the limit from the left, as `def-4.1.1-interval` says
   once for all curves; and the starred data are the given ones, since the sentence is about a special case of (4.1.2).
 :reading: bezier_knots_give_rational_bezier | the starred data are the given ones, $w_i^*=w_i$ and $r_i^*=r_i$, and the star is
   idle
 :reading: bezier_end_belongs_to_no_interval | at $t=t_{k+1}$ by the letter of the half-open intervals, when $t_{2k}=t_{k+1}$:
   all $N_{i,k}$ are $0$ there, while the Bernstein polynomials are not
-:reading: segment_of_any_knots_is_rational_bezier | the starred data are those of a segment over simple knots, made from the
-  given ones by `bspline_to_bezier`
+:reading: segment_of_any_knots_is_rational_bezier | the starred data are those that `bspline_to_bezier` makes of the given ones in homogeneous
+  coordinates: over simple knots they are others, over the knots of the line the given ones
 :needs: simple_knots_need_other_points | the line itself: $n=k$, $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$ | $n=k$ and
   $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$: otherwise the starred data differ from the given ones
 :figure: bezier_knots
@@ -666,6 +667,7 @@ but of other points; the star in the printed formula leaves open which is meant.
 :then: $r(t)$ is the rational Bézier curve of $r_1,\dots,r_k$ and $w_1,\dots,w_k$ at $(t-t_k)/(t_{k+1}-t_k)$
 :method: The curve from the definition against the kernel for rational Bézier curves.
 :degrees: 1..6 sampled 9
+:scope: one segment between (k-1)-fold knots
 :where: $w(t)\ne0$
 :control: the weights taken in the opposite order
 :::
@@ -692,13 +694,14 @@ CLAIM(bezier_knots_give_rational_bezier)
 
 /*
 :::{claim} segment_of_any_knots_is_rational_bezier
-:title: A segment over simple knots is a rational Bézier curve, of other points and weights
-:zh: 单节点上的一段为有理 Bézier 曲线
-:given: simple knots, values variables; weights and points; the interval $[t_k,t_{k+1}]$
-:then: the segment is the rational Bézier curve of the points and weights of `bspline_to_bezier` in homogeneous coordinates
+:title: A segment is a rational Bézier curve, over simple knots of other points and weights
+:zh: 一段为有理 Bézier 曲线,单节点时顶点与权因子不同
+:given: simple knots, or $x_0,x_1^{k-1},x_2^{k-1},x_3$, values variables; weights and points; the interval $[t_k,t_{k+1}]$
+:then: the segment is the rational Bézier curve of the points and weights of `bspline_to_bezier` in homogeneous coordinates; over
+  $x_0,x_1^{k-1},x_2^{k-1},x_3$ these are the given ones
 :method: Both sides in homogeneous coordinates at a variable $t$: numerator and weight are linear, one coordinate stands for all.
 :degrees: 1..6 sampled 7
-:scope: one span of simple knots; the distinct knots variables up to order 5, numbers above
+:scope: one span of simple knots, or between (k-1)-fold ones; the distinct knots variables up to order 5, numbers above
 :control: the given points in the place of the new ones
 :::
 */
@@ -711,7 +714,18 @@ CLAIM(segment_of_any_knots_is_rational_bezier)
         H[i] = unknown(T, "H", i);
     G(bspline_to_bezier)(G(on_span)(p, 1, u, p, H), b);
     G(bezier_casteljau)(p, 1, fault(T, b, H), div(sub(t, u[p]), sub(u[p + 1], u[p])), &value);
+    about(T, "the segment over simple knots");
     same(T, value, G(spline_value)(p + 1, p, 1, u, place, H, 0, p, t));
+    char pattern[] = {'1', (char)('0' + p), (char)('0' + p), '1', '\0'};
+    num x[4] = {u[0], u[1], u[2], u[3]};
+    (void)G(knots_at)(pattern, x, u, place);
+    G(bspline_to_bezier)(G(on_span)(p, 1, u, p, H), b);
+    G(bezier_casteljau)(p, 1, b, div(sub(t, u[p]), sub(u[p + 1], u[p])), &value);
+    about(T, "the segment between (k-1)-fold knots");
+    same(T, value, G(spline_value)(p + 1, p, 1, u, place, H, 0, 1, t));
+    about(T, "the points between (k-1)-fold knots");
+    for (int i = 0; i <= p; i++)
+        same(T, b[i], H[i]);
 }
 
 #if RATIONAL

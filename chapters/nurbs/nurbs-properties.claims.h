@@ -20,16 +20,16 @@ the curve itself rather than about its homogeneous form has to be carried throug
 :printed: The curve (4.1.2) also has properties similar to 2.3.1-2.3.7; as those of its special cases are treated in the chapters before, they can easily be written down
   one by one (preface)
 :reading: moved_point_changes_its_support | local control: moving $r_i$, or changing $w_i$, changes the curve on
-  $[t_i,t_{i+k})$ only
+  $[t_i,t_{i+k}]$ only
 :reading: point_is_in_the_hull_of_k_points | convex hull, span by span, for positive weights
-:reading: negative_weight_leaves_the_hull | the same for weights of both signs
+:reading: negative_weight_leaves_the_hull | convex hull for weights of both signs
 :reading: sides_agree_up_to_order_less_multiplicity | continuity of order $k-1-m$ at a knot of multiplicity $m$ | Where the derivatives of the basis functions agree, those
   of numerator and denominator do, and where $w(t)\ne0$ by the rule for quotients those of the curve.
 :reading: one_order_more_jumps | continuity of one order more
 :reading: nurbs_moves_with_its_points | affine invariance
-:reading: clamped_end_is_the_first_point | the polygon begins with the curve, when $t_2=\dots=t_k<t_{k+1}$; and ends with it when
-  $t_n<t_{n+1}=\dots=t_{n+k-1}$ | The end is the beginning of the reversed data, by the reading on symmetry.
-:reading: simple_knots_need_other_points | the same for simple knots
+:reading: end_points_of_clamped_knots | the polygon begins with the curve, when $t_2=\dots=t_k<t_{k+1}$; and ends with it when
+  $t_n<t_{n+1}=\dots=t_{n+k-1}$
+:reading: simple_knots_need_other_points | the polygon begins with the curve over simple knots
 :reading: reversed_data_reverse_the_nurbs | symmetry
 :reading: periodic_data_close_the_curve | periodic data give a closed curve, as smooth at the seam as elsewhere | Where the derivatives of numerator and
   denominator agree, those of the curve do where $w(t)\ne0$, by the rule for quotients.
@@ -45,7 +45,8 @@ Chapter 2 of the source is not part of the text at hand, so that the seven numbe
 :zh: 局部性
 :given: several segments, the distinct knots variables; points, weights; any $\Delta$, positive $\delta$; every $i$, interval and $t$
 :then: $r_i+\Delta$ in the place of $r_i$ changes $r(t)$ by $N_{i,k}w_i\Delta/w(t)$; $w_i+\delta$ in the place of $w_i$ changes it
-  by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ outside $[t_i,t_{i+k})$
+  by $N_{i,k}\delta\,(r_i-r(t))/(w(t)+N_{i,k}\delta)$, towards $r_i$; both are $0$ on the intervals
+  outside $[t_i,t_{i+k}]$
 :method: All terms of the definition, before and after.
 :degrees: 1..6 sampled 6
 :scope: an inner knot of every multiplicity up to k between simple and clamped ends, all patterns of 2k+1 at most k-fold knots up to order 3;
@@ -543,6 +544,51 @@ CLAIM(clamped_end_is_the_first_point)
     about(T, "the torsion");
     same(T, G(nurbs_torsion)(G(nurbs_on_span)(p, 3, u, p, S, w), one),
          mul(factor, div(G(det3)(a, b, c), G(gram)(3, a, b))));
+}
+
+/*
+The point itself asks for less: whatever knots stand between, and at either end.
+
+:::{claim} end_points_of_clamped_knots
+:title: Over (k-1)-fold ends the curve begins and ends with the polygon
+:zh: 两端 k-1 重节点时曲线首末点即首末顶点
+:given: $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$, with $t_1$ and $t_{n+k}$ equal to these knots or not, and an inner knot of every multiplicity $0,\dots,k$,
+  values variables; weights and points
+:harmless: $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$ | the scope tells the multiplicities of the ends
+:then: $r(t_k)=r_1$, and $r(t_{n+1})=r_n$ as a limit from the left
+:method: All terms of the definition.
+:degrees: 1..6 sampled 6
+:scope: an inner knot of every multiplicity up to k between (k-1)-fold or k-fold ends; the distinct knots variables up to order 5, numbers above
+:where: $w_1$ and $w_n$ are not 0
+:control: the second point from either end
+:::
+*/
+CLAIM(end_points_of_clamped_knots)
+{
+    int p = T->degree;
+    struct G(knot_vector) K = {0};
+    num R[MOST_KNOTS], w[MOST_KNOTS], P;
+    for (int m = 0; m < 2 * (p + 2); m++) {
+        char pattern[MOST_KNOTS];
+        int whole_end = m % 2, inner = m / 2, at = 0;
+        if (!whole_end)
+            pattern[at++] = '1';
+        pattern[at++] = (char)('0' + p + whole_end);
+        if (inner > 0)
+            pattern[at++] = (char)('0' + inner);
+        pattern[at++] = (char)('0' + p + whole_end);
+        if (!whole_end)
+            pattern[at++] = '1';
+        pattern[at] = '\0';
+        (void)G(knots_good)(T, p, pattern, &K);
+        G(weighted_points)(T, K.n, 1, R, w);
+        about(T, "the beginning");
+        G(nurbs_by_definition)(K.n, p, 1, K.u, K.place, R, w, K.place[p], K.u[p], &P);
+        same(T, P, R[fault(T, 0, 1)]);
+        about(T, "the end");
+        G(nurbs_by_definition)(K.n, p, 1, K.u, K.place, R, w, K.place[K.n - 1], K.u[K.n], &P);
+        same(T, P, R[fault(T, K.n - 1, K.n - 2)]);
+    }
 }
 
 /*

@@ -438,7 +438,7 @@ The source gives no proof; the index $t$ of the curve is $k$, see `notation-orde
   give $c$ every sign it can have.  The number is a sum over pairs of neighbours, so this is for polygons of every length.  Where $s$ is not there, $p,a,b$ is tried, too; where $p$ is not
   there, $a$ is an end, which an insertion keeps.
 :degrees: all
-:scope: every sign of four neighbouring heights and of their mean
+:scope: every sign of four neighbouring heights and of the mean of the middle two
 :harmless: $0\le\lambda\le1$ | a point of an edge is such a mean
 :control: a $\lambda$ greater than 1
 :::

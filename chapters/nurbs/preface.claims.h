@@ -86,9 +86,9 @@ this can be computed is decided here.
 :zh: 连续阶数可调
 :printed: NURBS curves have the merit of B-spline curves that their order of continuity can be adjusted
 :holds-by: sides_agree_up_to_order_less_multiplicity
-:meant: the opening speaks of what B-splines are used for: an order that is guaranteed | An order of continuity that
+:meant: the word merit, as only an order that is guaranteed is one | An order of continuity that
   every such curve has.
-:reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion
+:reading: nurbs_sides_agree | for the rational curve itself, its curvature and its torsion, where there are any
 :reading: one_order_more_jumps | that every curve is continuous of one order more
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive: so that $w(t)\ne0$
 :argued: | The derivatives of $P/w$ up to an order are rational functions of those of $P$ and $w$ up to it, and the divisor is a
@@ -372,7 +372,7 @@ in its interval, they only add, multiply and divide numbers of one sign.
 :reading: that they are simple, and main tools: opinions.
 :needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: with
   weights of both signs a weight of a level may be a difference, even $0$
-:needs: weight_of_a_level_vanishes_outside_the_interval | algorithm 4.1.1: $t\in[t_i,t_{i+1})$ | $t$ is in the interval: outside it a weight of a level may be a difference of
+:needs: weight_of_a_level_vanishes_outside_the_interval | algorithm 4.1.1: $t\in[t_i,t_{i+1})$, whose $i$ is the $j$ of `alg-4.1.1-interval` | $t$ is in the interval: outside it a weight of a level may be a difference of
   positive weights, even $0$
 :argued: | That few roundings reach the result, and that no computed number is subtracted, is counted.  That the rounded
   result is then the exact one for data that were changed relatively by so many factors $1\pm u$, and that this is what stable
@@ -421,8 +421,7 @@ CLAIM(recursion_subtracts_data_only)
 :printed: The matrix form in the power basis has polynomial time complexity and is suited to the algorithm of Qin
   Jiushao and Horner
 :holds-by: horner_takes_two_operations_a_degree matrices_take_polynomial_time
-:argued: | Polynomial is a word about all orders: Horner's rule has one product and one sum for each power, and the kernels of the matrices are
-  loops inside loops, at most six deep, each of at most $k+1$ steps.
+:argued: | Polynomial is a word about all orders, so that the arguments of both steps, and not the orders that were counted, decide it.
 :confirmed-by: determinant_written_out_is_factorial
 :meant: the word time, which is that of a computation | The time of computing with the matrices, by recursion, by differences, or by determinants in polynomial time, and products.
 :figure: recursion_steps
@@ -443,6 +442,7 @@ Not meant is to write $\det\mathbf G$ of (4.4.17) out as the sum over permutatio
   product with a matrix of $k\times k$ numbers, takes $2k^2-k$ a coordinate, once
 :method: The rule against the sum of powers, everything a variable; rule and product on numbers that count.
 :degrees: 1..8 sampled 16
+:argued: every order | One product and one sum for each power, and $2k-1$ operations for each of the $k$ rows.
 :over: a#: coefficients
 :control: the coefficients taken in the opposite order
 :::
@@ -522,6 +522,7 @@ CLAIM(determinant_written_out_is_factorial)
 :method: The kernels on numbers that count.
 :scope: simple knots, and the $k$-fold ones of Bézier
 :degrees: k = 2..17
+:argued: every order | The kernels are loops inside loops, at most six deep, each of at most $k+1$ steps.
 :control: $k^2$ in the place of each power
 :::
 */
