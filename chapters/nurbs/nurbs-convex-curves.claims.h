@@ -424,7 +424,7 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :meant: the step itself, which names $\boldsymbol r_k(t)$ | The polygons are those of one NURBS curve.
 :reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
-:argued: every order and all knots | The polygons are convex by lemma 4.2.1, and converge by (4.1.10).  Let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every
+:argued: | The polygons are convex by lemma 4.2.1, and converge by (4.1.10).  Let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every
   $A(\Gamma_k^{(T)}(T'_m))$, and for large $m$ the point $P_m$ is inside it, not on the boundary.  Hence $P$ is on the boundary, and
   $A$, the limit of the hulls, is the hull of the limit.  The triangle of three points of the curve, in their order, is a limit of triangles of points of the polygons,
   which have one sign; so the curve runs through the boundary once, unless it is on a line.  Then its polygon is on that line, too, and goes straight on, and so
