@@ -115,8 +115,8 @@ the equal ones do nothing but to leave out points that had no share, and to repe
 :::{claim} knots_above_k_fold_repeat_new_points
 :title: Knots that are more than k-fold leave out points without a share and repeat new points
 :zh: 超过 k 重的节点只丢失无份额的顶点、重复新顶点
-:given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; for $k\le4$ every pattern of $2k+1$ knots, too, none more than $k$-fold; of their $k$-fold
-  knots without the last any, at least one, are made $(k+q)$-fold, $q=1,2$; $\tau$ inside any interval between $t_1$ and $t_{n+k}$, or any knot there, or $t_1$ if it is $k$-fold
+:given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; for $k\le4$ every pattern of $2k+1$ knots, too, none more than $k$-fold; one or more of their
+  $k$-fold knots, but not the last knot, are made $(k+q)$-fold, $q=1,2$; $\tau$ inside any interval between $t_1$ and $t_{n+k}$, or any knot there, or $t_1$ if it is $k$-fold
 :then: $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is $0$ for $t_i=t_{i+k}$, the first $q$ of the $k+q$ equal knots; the others are those of the vector in which these $q$ knots are left out, and each of the
   $q$ new points that belong to them repeats the next one
 :method: The recursion of the discrete B-splines by its letter, intervals closed on the left, for both vectors of knots.  The reason: $\alpha_{i,k}(j)$ is made of $t_i,\dots,t_{i+k}$ and of the knots
@@ -381,7 +381,7 @@ The knots of corollary 4.1.1 may be taken in $(t_1,t_{n+k})$, where (4.1.6) give
 :kind: counterexample
 :given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$; $T_1=\{\tau_1\}$, $T_2=\{\tau_2\}$
 :data: T = 0 0 0 1 1 1; r = (0,0) (4,0) (0,4); w = 1 1 1; τ = 1/4 3/4
-:then: the second vertex of $\Gamma(T_2)$ is not in $A(\Gamma(T_1))$
+:then: $T_2$ does not contain $T_1$, and the second vertex of $\Gamma(T_2)$ is not in $A(\Gamma(T_1))$
 :result: Γ(T_1) = (0,0) (1,0) (3,1) (0,4); Γ(T_2) = (0,0) (3,0) (1,3) (0,4)
 :method: The printed formulas; the hull by `exact/decide/hull.h`, with a separating line.
 :control: $T_2=\{\tau_1,\tau_2\}$
