@@ -110,7 +110,7 @@ CLAIM(inserted_parameters_become_vertices)
 
 /*
 A parameter may be a knot already, and inserted $k-1$ times it may become more than $k$-fold. Such knots are no new case: all but $k$ of
-the equal ones do nothing but to leave out points that had no share, and to repeat new points.
+the equal ones only leave out points that had no share, and repeat new points.
 
 :::{claim} knots_above_k_fold_repeat_new_points
 :title: Knots that are more than k-fold leave out points without a share and repeat new points
