@@ -32,6 +32,13 @@ static inline struct G(knot_vector) G(pattern)(trial *T, const char *pattern)
     return K;
 }
 
+/* In the field above order 5: 0, 1, 3, 6, 10, ... in the place of the variables; places are multiples of 4. */
+static inline void G(numbers_for_knots)(int k, struct G(knot_vector) * K)
+{
+    for (int i = 1; FIELD && k > 5 && i <= K->count; i++)
+        K->t[i] = from_int(K->place[i] / 4 * (K->place[i] / 4 + 1) / 2);
+}
+
 /* Patterns of knots, numbered from 0: 2k+1 simple knots; both ends k-fold, and an m-fold knot between, m = 1, ..., k; up to order
  * ALL_PATTERNS then all of 2k+1 knots, no one more than k-fold, with t_k < t_{n+1}.  Returns the next number; 0 when there is no
  * pattern of this number. */

@@ -28,7 +28,7 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :meant: the sentence, which goes from the polygon to the curve | This direction.
 :reading: curve_may_be_convex_alone | this direction only: the converse, which is not printed, fails
 :argued: | Insert three parameters $k-1$ times each: the three points of the curve are vertices, and they turn as
-  the polygon does.  So any finitely many points of the curve are, in their order, a convex polygon, unless they are on a line, and none is inside their hull; a point
+  the polygon does; the start $t_1=t_k$ is not inserted, where the point of the curve is a vertex already.  So any finitely many points of the curve are, in their order, a convex polygon, unless they are on a line, and none is inside their hull; a point
   inside the hull of the curve would be inside that of finitely many.  If all turns are $0$, the curve is on a line, and so are the points whose B-splines are not $0$ on the
   domain, as these are linearly independent there; this part of the polygon goes straight on, and so does each polygon with parameters inserted, whose new vertices are on
   the edges before, one on each and in their order: three points of the curve, being vertices, follow one another on the line.
@@ -105,6 +105,94 @@ CLAIM(inserted_parameters_become_vertices)
             for (int second = first + (first % 4 != 0 ? 1 : 2); second <= K.place[n + 1]; second += 2 - second % 2)
                 if (G(may_be_inserted)(k, &K, first) && G(may_be_inserted)(k, &K, second))
                     G(compare_vertices)(T, k, &K, (int[]){first, second});
+    }
+}
+
+/*
+A parameter may be a knot already, and inserted $k-1$ times it may become more than $k$-fold. Such knots are no new case: all but $k$ of
+the equal ones only leave out points that had no share, and repeat new points.
+
+:::{claim} knots_above_k_fold_repeat_new_points
+:title: Knots that are more than k-fold leave out points without a share and repeat new points
+:zh: 超过 k 重的节点只丢失无份额的顶点、重复新顶点
+:given: both ends of multiplicity $k$ and one knot between, of any multiplicity $1,\dots,k$; for $k\le4$ every pattern of $2k+1$ knots, too, none more than $k$-fold; one or more of their
+  $k$-fold knots, but not the last knot, are made $(k+q)$-fold, $q=1,2$; $\tau$ inside any interval between $t_1$ and $t_{n+k}$, or any knot there, or $t_1$ if it is $k$-fold
+:then: $\alpha_{i,k}^{(T,\{\tau\})}(j)$ is $0$ for $t_i=t_{i+k}$, the first $q$ of the $k+q$ equal knots; the others are those of the vector in which these $q$ knots are left out, and each of the
+  $q$ new points that belong to them repeats the next one
+:method: The recursion of the discrete B-splines by its letter, intervals closed on the left, for both vectors of knots.  The reason: $\alpha_{i,k}(j)$ is made of $t_i,\dots,t_{i+k}$ and of the knots
+  $j,\dots,j+k-1$ of $T\oplus T'$ alone, and one of more than $k$ equal knots left out takes with it one $i$ with $t_i=t_{i+k}$ and one $j$ whose $k$ knots are those of the next.
+:degrees: k = 2..6 sampled 6
+:scope: k-fold knots but the last made (k+1)- or (k+2)-fold, in every pattern of 2k+1 at most k-fold knots up to order 4 and between clamped ends; the distinct knots variables up to order 5, numbers above
+:control: the repeated points counted one too few
+:::
+*/
+/* K with q more of each of its knots that are k-fold and marked; extra says which knots are more, the first of the equal ones. */
+static struct G(knot_vector) G(raised)(int k, const struct G(knot_vector) * K, int marked, int q, int extra[])
+{
+    struct G(knot_vector) L = {.count = 0};
+    int seen = 0;
+    for (int s = 1; s <= K->count; s++) {
+        int starts = s + k - 1 <= K->count && K->place[s] == K->place[s + k - 1] && K->place[s] < K->place[K->count];
+        for (int more = starts && marked >> seen & 1 ? q : 0; more >= 0; more--) {
+            L.count++;
+            L.t[L.count] = K->t[s];
+            L.place[L.count] = K->place[s];
+            extra[L.count] = more > 0;
+        }
+        seen += starts;
+    }
+    return L;
+}
+
+/* The knots with tau after those up to it; the marks with them. */
+static struct G(knot_vector)
+    G(with_knot_at)(const struct G(knot_vector) * K, int place, num tau, const int old[], int extra[])
+{
+    struct G(knot_vector) V = {.count = K->count + 1};
+    int mu = 0;
+    while (mu < K->count && K->place[mu + 1] <= place)
+        mu++;
+    for (int i = 1; i <= V.count; i++) {
+        V.t[i] = i <= mu ? K->t[i] : i == mu + 1 ? tau : K->t[i - 1];
+        V.place[i] = i <= mu ? K->place[i] : i == mu + 1 ? place : K->place[i - 1];
+        extra[i] = old != NULL && i != mu + 1 && old[i <= mu ? i : i - 1];
+    }
+    return V;
+}
+
+static void G(compare_with_fewer_knots)(trial *T, int k, const struct G(knot_vector) * K,
+                                        const struct G(knot_vector) * L, const int extra[], int place, num tau)
+{
+    int none[MOST_KNOTS], more[MOST_KNOTS];
+    struct G(knot_vector) V = G(with_knot_at)(K, place, tau, NULL, none),
+                          W = G(with_knot_at)(L, place, tau, extra, more);
+    for (int j = 1, at = fault(T, 1, 0); j <= W.count - k;
+         at += !more[j], j++) /* at: j without the knots that are more */
+        for (int i = 1, from = 1; i <= L->count - k; from += !extra[i], i++) {
+            num share = G(alpha)(k - 1, L->t + 1, L->place + 1, W.t + 1, W.place + 1, i - 1, j - 1);
+            if (extra[i])
+                same(T, share, from_int(0));
+            else if (at > 0)
+                same(T, share, G(alpha)(k - 1, K->t + 1, K->place + 1, V.t + 1, V.place + 1, from - 1, at - 1));
+        }
+}
+
+CLAIM(knots_above_k_fold_repeat_new_points)
+{
+    int k = T->degree;
+    char pattern[MOST_KNOTS];
+    for (int m = 1, next; (next = G(pattern_of_insertion)(k, m, pattern)) > 0; m = next) {
+        struct G(knot_vector) K = G(pattern)(T, pattern);
+        int full = 0, extra[MOST_KNOTS];
+        G(numbers_for_knots)(k, &K);
+        for (int s = 1; s + k - 1 < K.count; s++)
+            full += K.place[s] == K.place[s + k - 1] && K.place[s] < K.place[K.count];
+        for (int marked = 1; marked < 1 << full; marked++)
+            for (int q = 1; q <= 2; q++) {
+                struct G(knot_vector) L = G(raised)(k, &K, marked, q, extra);
+                for (int place = K.place[1] + (K.place[1] < K.place[k] ? 2 : 0); place < K.place[K.count]; place += 2)
+                    G(compare_with_fewer_knots)(T, k, &K, &L, extra, place, G(number_at)(T, &K, place, "tau"));
+            }
     }
 }
 
@@ -236,16 +324,18 @@ another.
 :zh: 凸包之交
 :printed: for the sequence of corollary 4.1.1, by lemma 4.2.1: $A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))$
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it: the identities of one insertion have the
-  knots as variables, and hold for equal ones, too, where they divide by no 0; in a decreasing
+  knots as variables, and hold for equal ones, too, where they divide by no 0; where a knot is more than $k$-fold, points without a share are left out.  In a decreasing
   sequence of sets the intersection of the first $m$ is the last.
 :figure: hulls_of_knot_sets
+
+The knots of corollary 4.1.1 may be taken in $(t_1,t_{n+k})$, where (4.1.6) gives every new point.
 :::
 
 :::{statement} wang-ch4:thm-4.2.1-step-nested
@@ -254,12 +344,12 @@ another.
 :printed: $T_{i+1}\supseteq T_i$, where the $A(\Gamma_k^{(T)}(T_i))$ are plane convex closed sets, $i=1,2,\dots,m$
 :class: misprint
 :refuted-by: hulls_of_unrelated_knots_are_not_nested
-:corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$ decrease, for knots in $(t_1,t_{n+k})$ and a polygon that runs through its points once, or with the hulls for the $A$
+:corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$ decrease, for knots in $(t_1,t_{n+k})$, a $t_{n+k}$ that is at most $k$-fold, and a polygon that runs through its points once, or with the hulls for the $A$
 :corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it: the identities of one insertion have the
-  knots as variables, and hold for equal ones, too, where they divide by no 0.
+  knots as variables, and hold for equal ones, too, where they divide by no 0; where a knot is more than $k$-fold, points without a share are left out.
 :figure: hulls_of_knot_sets
 
 $T_1$ and $T_2$ are in theorem 4.1.1 the two parts of one set of knots, and need not contain one another; the sequence of
@@ -271,16 +361,18 @@ corollary 4.1.1 is that of the $T'_m$.
 :zh: 凸包的极限
 :printed: hence $A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))$ is a closed convex set, too
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
 :confirmed-by: inserted_polygons_stay_convex
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
-:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it.  The limit of a decreasing sequence of compact sets is their intersection, and an intersection of closed convex sets is
-  closed and convex.
+:argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it; where a knot is more than $k$-fold, points without a share are left out.  The limit of a decreasing sequence of compact sets is their
+  intersection, and an intersection of closed convex sets is closed and convex.
 :figure: hulls_of_knot_sets
+
+The knots of corollary 4.1.1 may be taken in $(t_1,t_{n+k})$, where (4.1.6) gives every new point.
 :::
 
 :::{claim} hulls_of_unrelated_knots_are_not_nested
@@ -289,7 +381,7 @@ corollary 4.1.1 is that of the $T'_m$.
 :kind: counterexample
 :given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$; $T_1=\{\tau_1\}$, $T_2=\{\tau_2\}$
 :data: T = 0 0 0 1 1 1; r = (0,0) (4,0) (0,4); w = 1 1 1; τ = 1/4 3/4
-:then: the second vertex of $\Gamma(T_2)$ is not in $A(\Gamma(T_1))$
+:then: $T_2$ does not contain $T_1$, and the second vertex of $\Gamma(T_2)$ is not in $A(\Gamma(T_1))$
 :result: Γ(T_1) = (0,0) (1,0) (3,1) (0,4); Γ(T_2) = (0,0) (3,0) (1,3) (0,4)
 :method: The printed formulas; the hull by `exact/decide/hull.h`, with a separating line.
 :control: $T_2=\{\tau_1,\tau_2\}$
@@ -319,7 +411,8 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :zh: 极限曲线位于极限凸集的边界
 :printed: by (4.1.10), $A$ is the smallest closed convex set $A(\boldsymbol r_k(t))$ with $\boldsymbol r_k(t)$ as boundary or part of the
   boundary, so $\boldsymbol r_k(t)$ is convex
-:holds-by: convex_polygons_lie_on_the_border_of_their_hull convex_polygons_have_splines_of_one_turn
+:holds-by: convex_polygons_lie_on_the_border_of_their_hull triangles_of_one_sign_make_a_polygon_convex
+:confirmed-by: convex_polygons_have_splines_of_one_turn
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more, or the points
   there coincide; else the polygons converge to the curve
   together with the segment over which it jumps
@@ -331,7 +424,7 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :meant: the step itself, which names $\boldsymbol r_k(t)$ | The polygons are those of one NURBS curve.
 :reading: limit_of_convex_polygons_may_run_back | as a step about the limits of any convex polygons, convex meaning run through once
 :reading: convex_polygons_have_splines_of_one_turn | as a step about NURBS curves
-:argued: | Let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every
+:argued: | The polygons are convex by lemma 4.2.1, and converge by (4.1.10).  Let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every
   $A(\Gamma_k^{(T)}(T'_m))$, and for large $m$ the point $P_m$ is inside it, not on the boundary.  Hence $P$ is on the boundary, and
   $A$, the limit of the hulls, is the hull of the limit.  The triangle of three points of the curve, in their order, is a limit of triangles of points of the polygons,
   which have one sign; so the curve runs through the boundary once, unless it is on a line.  Then its polygon is on that line, too, and goes straight on, and so

@@ -26,6 +26,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares knots_outside_the_domain_cut_corners
   inserted_points_divide_the_edges clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
+  knots_above_k_fold_repeat_new_points
 :confirmed-by: printed_insertion_keeps_the_curve
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
@@ -42,7 +43,8 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
   identities of one insertion are the same for every order and every number of points.  If the new points are on one line, so are the old ones: of
   these $r_1$, then $r_2$ and so on up to the last or $r_\mu$ are found from $r'_1,r'_2,\dots$, whose $\alpha_i$ are positive, and those behind are new ones; where
   a point is repeated, all are.  So where not all triangles are 0, not all new ones are.  Where all triangles are 0, the polygon goes straight on; its
-  new vertices are on its edges, one on each and in their order, so that the new polygon does.
+  new vertices are on its edges, one on each and in their order, so that the new polygon does.  A knot that becomes more than $k$-fold by the insertion repeats a point, and one of the equal points is
+  without a share afterwards.  The new vertices being on edges of the polygon before, they are in its hull, which is $A$.
 :figure: cutting_corners
 
 $T'$ is a multiset.
@@ -91,13 +93,6 @@ static void G(compare_curves)(trial *T, int k, const struct G(knot_vector) * K, 
             same(T, G(spline_value)(n + 1, k - 1, 1, V.t + 1, V.place + 1, d + 1, 0, interval, x),
                  G(spline_value)(n, k - 1, 1, K->t + 1, K->place + 1, c + 1, 0, interval, x));
     }
-}
-
-/* In the field above order 5: 0, 1, 3, 6, 10, ... in the place of the variables; places are multiples of 4. */
-static void G(numbers_for_knots)(int k, struct G(knot_vector) * K)
-{
-    for (int i = 1; FIELD && k > 5 && i <= K->count; i++)
-        K->t[i] = from_int(K->place[i] / 4 * (K->place[i] / 4 + 1) / 2);
 }
 
 CLAIM(printed_insertion_keeps_the_curve)
@@ -438,7 +433,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :zh: 凸包递减
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once; else $A(\Gamma_k^{(T)}(T'))$
   need not exist; or $A$ is taken as the hull
@@ -450,7 +445,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: | One knot after the other, by (4.1.7): the identities of one insertion have the knots as variables, and hold for equal ones, too, where they divide by no 0. The new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of
-  the set.
+  the set.  Where a knot is more than $k$-fold, they are on edges of the polygon without the points that have no share, whose hull is part of the hull of all.
 :figure: hulls_of_knot_sets
 :::
 
@@ -634,7 +629,7 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
   $m-1$ knots, $\Gamma_k^{(T)}(T'')$ is convex for $m$
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point
+  clamped_start_inserted_again_repeats_the_first_point knots_above_k_fold_repeat_new_points
 :confirmed-by: inserted_polygons_stay_convex
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon does not turn back
@@ -646,7 +641,8 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :argued: straight polygons, every order and every number of points | The triangles and the identities of one insertion are the same for every order and every
   number of points.  If the new points are on one line, so are the old ones, as for the lemma: so where not all triangles are 0, not all new ones are.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
-  their order, so that the new polygon does.
+  their order, so that the new polygon does.  A knot that $T'$ has made more than $k$-fold repeats a point, and one of the equal points is without a share afterwards.  The new vertices being on edges of the polygon before, they are in its
+  hull, which is $A$.
 :figure: what_convex_must_mean
 :::
 */
@@ -803,7 +799,7 @@ CLAIM(knots_are_inserted_in_any_order)
 :zh: 凸包包含链
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
@@ -815,7 +811,7 @@ CLAIM(knots_are_inserted_in_any_order)
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: | One knot after the other, by (4.1.7): the new vertices are on edges of the polygon before, hence in its hull, and the hull of points of a convex set is part of
-  the set.
+  the set.  Where a knot is more than $k$-fold, they are on edges of the polygon without the points that have no share, whose hull is part of the hull of all.
 :figure: hulls_of_knot_sets
 :::
 */

@@ -20,9 +20,11 @@ here, though its chapter on Bézier curves does: how closely a member touches th
 :printed: when the $w_i$ are constant, theorem 2.2.2 results
 :holds-by: equal_weights_give_the_polynomial_family member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; as for theorem 4.3.1
-:meant: theorem 2.2.2 is not at hand; it belongs to the section on B-spline curves | The same theorem for B-spline curves: the curve is the envelope of the family
+:meant: the number of theorem 2.2.2, which is not at hand: it belongs to the chapter on B-spline curves | The same theorem for B-spline curves: the curve is the envelope of the family
   that de Boor's algorithm without weights gives.
 :figure: nurbs_envelope_contact
+
+All weights of the levels and of the members are then the common weight, which is positive by definition 4.1.1.
 :::
 
 :::{claim} equal_weights_give_the_polynomial_family
@@ -71,12 +73,16 @@ CLAIM(equal_weights_give_the_polynomial_family)
 :printed: or when $t_j$ and $t_{j+1}$ are both $(k-1)$-fold knots, theorem 3.3.2 results
 :holds-by: bezier_span_gives_the_bezier_family member_of_span_touches_curve envelope_condition_holds_on_the_diagonal
 :hypothesis: member_between_multiple_knots_shrinks_at_a_cusp | $\mathbf r'\ne0$; as for theorem 4.3.1
-:meant: it is a corollary of theorem 4.3.1, which says that the curve is the envelope of a family, and nothing about the order of contact | What theorem 3.3.2
+:meant: its being a corollary of theorem 4.3.1, which says that the curve is the envelope of a family, and nothing about the order of contact | What theorem 3.3.2
   says of the envelope, (3.3.4): the first and the second reading.
 :reading: bezier_span_gives_the_bezier_family | the family is that of theorem 3.3.2
 :reading: member_of_span_touches_curve | the envelope is that of theorem 3.3.2, a curve that every member touches wherever $\mathbf r'\ne0$
 :reading: cubic_member_has_other_curvature | the whole of theorem 3.3.2 by its letter, with contact of order $n-r$, $n=k-1$: it is not there
+:needs: member_may_lose_a_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a weight of a level may vanish
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: bezier_knots
+
+Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 Between two $(k-1)$-fold knots all knots that a span can see are its ends, and the recursion is that of de Casteljau.
@@ -153,6 +159,7 @@ CLAIM(member_between_multiple_knots_shrinks_at_a_cusp) { G(line_shrinks_to_a_poi
   r_j^{[k-2]}(\tau)}{(t_{j+1}-t)w_{j-1}^{[k-2]}(\tau)+(t-t_j)w_j^{[k-2]}(\tau)},\quad t_j\le t,\tau<t_{j+1}
 :holds-by: lines_of_the_family_by_two_points
 :confirmed-by: extrapolated_members_keep_positive_weights_inside
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a weight of a level may vanish
 :figure: nurbs_envelope_families
 
 Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
@@ -163,11 +170,13 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :zh: k-r=2 时曲线是直线族的包络
 :printed: for $k-r=2$ one learns that $\mathbf r(t)$ is the envelope of the family of straight lines (4.3.8)
 :holds-by: member_of_span_touches_curve envelope_condition_holds_on_the_diagonal lines_of_the_family_by_two_points
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; at a cusp the line is a point
+:needs: negative_weight_takes_a_point_away | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: theorem 4.3.1, of which it is a corollary | That the curve is an envelope of these lines, as there.
 :figure: nurbs_envelope_families
 
-The lines are segments, the legs that de Boor's algorithm draws last.
+The lines are segments, the legs that de Boor's algorithm draws last.  Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
 For $r=k-2$ two points are left, and the B-splines of order 2 on a span are the two linear functions of its ends.  The

@@ -27,7 +27,7 @@ span; what has to be asked is whether the members exist.
 :hypothesis: high_knot_leaves_a_point_undefined | $t_i<t_{i+k-r}$ for $i=r+1,\dots,n$, or the terms with $t_i=t_{i+k-r}$
   are left out: their $N_{i,k-r}$ is 0; else (4.1.3) divides by 0
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
-:meant: the domain $[t_k,t_{n+1}]$ is printed closed, and the conclusion is that of theorem 4.3.1 | At $t_{n+1}$ the limit from the left, as `def-4.1.1-interval`
+:meant: the closed domain $[t_k,t_{n+1}]$ and "the same conclusion", that of theorem 4.3.1 | At $t_{n+1}$ the limit from the left, as `def-4.1.1-interval`
   says; and that the curve is an envelope, as there.
 :reading: whole_member_ends_in_no_interval | at $t=t_{n+1}=\dots=t_{n+k-r}$ by the letter of the half-open intervals: (4.3.3) is
   $0/0$ there

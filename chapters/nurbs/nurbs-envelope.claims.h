@@ -258,11 +258,11 @@ the $k-1-r$ arguments that are $t$: that is where the factors $\frac{k-r-1}{k-1}
 :zh: t=τ 时各层分母相等
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}(t)\,w_i^{[r]}(t)=\sum_{i=j-k+r}^jN_{i,k-r+1}(t)\,w_i^{[r-1]}(t)=\dots=w(t),
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
-:holds-by: levels_keep_weight_and_point
-:confirmed-by: extrapolated_members_keep_positive_weights_inside
+:holds-by: levels_keep_the_weight
+:confirmed-by: levels_keep_weight_and_point
 :figure: nurbs_envelope_growing
 
-Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
+No weight is divided by: it is true for weights of any sign.
 :::
 
 :::{statement} wang-ch4:formula-4.3.5
@@ -273,11 +273,67 @@ Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_keep_weight_and_point
 :confirmed-by: extrapolated_members_keep_positive_weights_inside
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a weight of a level may vanish
 :figure: nurbs_envelope_growing
 
 Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
 :::
 
+:::{claim} levels_keep_the_weight
+:title: At τ = t the weights of every level sum up to the same
+:zh: τ=t 时各层权之和相同
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+  patterns; any numbers $w_i$, any $t$, every $r=1,\dots,k-2$
+:then: the sum of the $w_i^{[r]}(t)$ with the $N_{i,k-r}(t)$ is that of level $r-1$ with the $N_{i,k-r+1}(t)$, and $w(t)$
+:method: (4.1.3) by its letter, the sums as printed.
+:degrees: 2..6 sampled 7
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | By (4.1.3) the sum of level $r$, put in the order of the $w_i^{[r-1]}$, has them with the factors $\frac{t-t_i}{t_{i+k-r}-t_i}N_{i,k-r}
+  +\frac{t_{i+k-r+1}-t}{t_{i+k-r+1}-t_{i+1}}N_{i+1,k-r}=N_{i,k-r+1}$; what is 0 on the span falls away.
+:control: the recursion of the level at $\tau=t+1$
+:::
+*/
+/* One step of (4.1.3) for the weights of a span, from level - 1 to level, in place: w_0, ..., w_{p-level}. */
+static void G(printed_level)(int p, const num u[], int mu, int level, num w[], num tau)
+{
+    for (int m = 0; m <= p - level; m++) { /* i = mu-p+level+m */
+        num left = u[mu - p + level + m], right = u[mu + 1 + m], length = sub(right, left);
+        w[m] = add(mul(div(sub(tau, left), length), w[m + 1]), mul(div(sub(right, tau), length), w[m]));
+    }
+}
+
+/* sum N_{i,q+1}(t) w_i on the span, q the degree, or with the derivatives of the N. */
+static num G(sum_of_weights)(int q, const num u[], int mu, const num w[], num t, int derivative)
+{
+    num N[2 * (MAX_DEGREE + 1)], sum = from_int(0);
+    G(bspline_basis_derivatives)(q, u, mu, t, 1, N);
+    for (int m = 0; m <= q; m++)
+        sum = add(sum, mul(N[(derivative ? q + 1 : 0) + m], w[m]));
+    return sum;
+}
+
+CLAIM(levels_keep_the_weight)
+{
+    int p = T->degree, mu = p, place[MOST_KNOTS];
+    num u[MOST_KNOTS], w[MAX_DEGREE + 1], t = parameter(T, "t"), tau = fault(T, t, add(t, from_int(1)));
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int i = 0; i <= p; i++)
+            w[i] = unknown(T, "w", i);
+        num first = G(sum_of_weights)(p, u, mu, w, t, 0), before = first;
+        for (int r = 1; r <= p - 1; r++) {
+            G(printed_level)(p, u, mu, r, w, tau);
+            num sum = G(sum_of_weights)(p - r, u, mu, w, t, 0);
+            about(T, "the level before");
+            same(T, sum, before);
+            about(T, "the denominator of the curve");
+            same(T, sum, first);
+            before = sum;
+        }
+    }
+}
+
+/*
 :::{claim} levels_keep_weight_and_point
 :title: At τ = t every level sums up to the same weight and the same point
 :zh: τ=t 时各层之和相同
@@ -328,11 +384,11 @@ CLAIM(levels_keep_weight_and_point)
 :printed: \sum_{i=j-k+r+1}^jN_{i,k-r}'(t)\,w_i^{[r]}(t)=\frac{k-r-1}{k-r}\sum_{i=j-k+r}^jN_{i,k-r+1}'(t)\,
   w_i^{[r-1]}(t)=\dots=\frac{k-r-1}{k-1}w'(t),
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
-:holds-by: levels_shrink_the_derivative
-:confirmed-by: extrapolated_members_keep_positive_weights_inside
+:holds-by: levels_shrink_the_derivative_of_the_weight
+:confirmed-by: levels_shrink_the_derivative
 :figure: nurbs_envelope_contact
 
-Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
+No weight is divided by: it is true for weights of any sign.  At $t=t_j$ the derivatives are those from the right, see `thm-4.3.1-right-limit`.
 :::
 
 :::{statement} wang-ch4:formula-4.3.7
@@ -343,11 +399,49 @@ Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau
   \quad t_j\le t<t_{j+1},\ j=k,k+1,\dots,n
 :holds-by: levels_shrink_the_derivative
 :confirmed-by: extrapolated_members_keep_positive_weights_inside
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a weight of a level may vanish
 :figure: nurbs_envelope_contact
 
 Positive weights $w_i$ make the weights of the levels positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
+At $t=t_j$ the derivatives are those from the right, see `thm-4.3.1-right-limit`.
 :::
 
+:::{claim} levels_shrink_the_derivative_of_the_weight
+:title: The derivative of the basis alone gives, of the weights, (k-r-1)/(k-r) of the level before and (k-r-1)/(k-1) of w'
+:zh: 仅对基函数求导所得 w' 的比例
+:given: order $k$; knots of a span that are simple, or with $(k-1)$-fold ends, or with one double knot, and for $k\le4$ all
+  patterns; any numbers $w_i$, any $t$, every $r=1,\dots,k-2$
+:then: the display (4.3.6), each equality
+:method: (4.1.3) by its letter, the sums as printed, with the derivatives of the B-splines; $w'$ by those of order $k$.
+:degrees: 2..6 sampled 7
+:scope: every pattern of the knots of a span up to order 4, three above; the distinct knots variables up to order 5, numbers above
+:argued: every order and all knots | With the polar form $f$ of $w$ on the span the sums of level $r$ are $f[\tau^r,t^{k-1-r}]$, since the polar form is affine in each argument; the derivative
+  by $t$ is $(k-1-r)\,f[\tau^r,t^{k-2-r},\delta]$, $\delta$ being the direction, and for $\tau=t$ the same $f[t^{k-2},\delta]$ on each level.
+:control: the factor $\frac{k-r}{k-r+1}$ for one level
+:::
+*/
+CLAIM(levels_shrink_the_derivative_of_the_weight)
+{
+    int p = T->degree, k = p + 1, mu = p, place[MOST_KNOTS];
+    num u[MOST_KNOTS], w[MAX_DEGREE + 1], t = parameter(T, "t");
+    for (int shape = 0; shape < G(shapes)(p); shape++) {
+        G(knots_of_span)(T, p, shape, u, place);
+        for (int i = 0; i <= p; i++)
+            w[i] = unknown(T, "w", i);
+        num first = G(sum_of_weights)(p, u, mu, w, t, 1), before = first;
+        for (int r = 1; r <= k - 2; r++) {
+            G(printed_level)(p, u, mu, r, w, t);
+            num sum = G(sum_of_weights)(p - r, u, mu, w, t, 1);
+            about(T, "the level before");
+            same(T, sum, mul(fault(T, from_ratio(k - r - 1, k - r), from_ratio(k - r, k - r + 1)), before));
+            about(T, "the derivative of the denominator");
+            same(T, sum, mul(from_ratio(k - r - 1, k - 1), first));
+            before = sum;
+        }
+    }
+}
+
+/*
 :::{claim} levels_shrink_the_derivative
 :title: The derivative of the basis alone gives (k-r-1)/(k-r) of the level before and (k-r-1)/(k-1) of the curve
 :zh: 仅对基函数求导所得的比例
@@ -400,6 +494,7 @@ CLAIM(levels_shrink_the_derivative)
 :printed: \mathbf r^{[k-r]}(t,\tau)|_{\tau=t}=\mathbf p(t)/w(t)=\mathbf r(t),\quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
 :confirmed-by: extrapolated_members_keep_positive_weights_inside
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a weight of a level may vanish
 :figure: nurbs_envelope_growing
 
 Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
@@ -413,9 +508,11 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
   \quad t_j\le t<t_{j+1}
 :holds-by: member_of_span_touches_curve
 :confirmed-by: extrapolated_members_keep_positive_weights_inside
+:needs: weight_of_a_level_may_vanish | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise a weight of a level may vanish
 :figure: nurbs_envelope_contact
 
 Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.
+Where $\mathbf r'(t)=0$ both derivatives vanish, and there is no direction.
 
 In the copy at hand a torn line stands before the display, $\tau=k-r-1\ w(t)\mathbf p'(t)-w'(t)\mathbf p(t)\ k-r-1$: numerators of its fractions, once more.  It says
 nothing by itself.
@@ -505,7 +602,7 @@ the right and knows nothing of the other; the source says so in passing, and it 
 :zh: 节点处的偏导矢取右极限
 :printed: here the partial derivatives at a point $t_i$ are understood as limits from the right
 :holds-by: member_of_span_touches_curve
-:needs: corner_has_two_tangents | the limit is printed from the right | the limit is from the right; from the left the
+:needs: corner_has_two_tangents | the sentence itself, 右极限值 | the limit is from the right; from the left the
   curve may have, at a $(k-1)$-fold knot, another direction than the member of the span on the right
 :meant: the proof, which is about the span of $t_j$ and counts the terms of its sums by $i$ | The knot is $t_j$, the left end of the span.
 :figure: knot_sides

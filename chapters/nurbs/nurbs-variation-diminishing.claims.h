@@ -402,7 +402,7 @@ change can arise.
   the plane $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
-  knots_outside_the_domain_cut_corners clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
+  knots_outside_the_domain_cut_corners clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points
   of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
@@ -418,7 +418,7 @@ change can arise.
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof of lemma 4.2.1, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
 :argued: every order and every number of points and knots | An insertion puts a point on each of some edges and takes the old
-  vertices away; one after the other, by (4.1.7), these are the cases that were decided.
+  vertices away, and where a knot is more than $k$-fold also vertices that have no share; one after the other, by (4.1.7), these are the cases that were decided.
 :figure: line_and_cut_corners
 
 The source gives no proof; the index $t$ of the curve is $k$, see `notation-order`.
@@ -436,7 +436,7 @@ The source gives no proof; the index $t$ of the curve is $k$, see `notation-orde
 :result: cases = 81
 :method: Only signs matter, and only those of neighbours: all cases of $p,a,b,s\in\{-1,0,1\}$, and the given $\lambda$
   give $c$ every sign it can have.  The number is a sum over pairs of neighbours, so this is for polygons of every length.  Where $s$ is not there, $p,a,b$ is tried, too; where $p$ is not
-  there, $a$ is an end, which an insertion keeps.
+  there, $a$ is an end, which an insertion keeps unless it has no share: $a,b,s$ is tried, and $a,b$.
 :degrees: all
 :scope: every sign of four neighbouring heights and of the mean of the middle two
 :harmless: $0\le\lambda\le1$ | a point of an edge is such a mean
@@ -469,6 +469,8 @@ CLAIM(cut_corners_meet_a_line_no_more)
         }
         agree(T, intersections(3, shorter) <= intersections(4, before));
         agree(T, intersections(2, shorter) <= intersections(3, before));
+        for (int left = 2; left <= 3; left++) /* a is an end */
+            agree(T, intersections(left - 1, before + 2) <= intersections(left, before + 1));
     }
     found_whole(T, "cases", PATTERNS);
 }
@@ -525,7 +527,7 @@ CLAIM(insertion_with_mixed_weights_crosses_more)
 :reading: designed_splines_meet_no_more | of common points, a piece on the line counting once
 :argued: | Insert parameters where the curve is on alternating sides until these points are vertices: the new polygon changes sides as
   often as the curve, and the old one no less often.  For common points take one parameter of each intersection and one, off the line,
-  between any two.
+  between any two; at a $k$-fold knot, also at the start or end, the point of the curve is a vertex already.
 :figure: line_and_cut_corners
 :::
 
@@ -815,9 +817,9 @@ $\mu_i+(i-1)(k-1)$.  At a $k$-fold right end the point of the curve is $r_n$, an
 :printed: but by lemma 4.2.2 $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\le N$, a contradiction
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
 :argued: every order and every number of points and knots | As for lemma 4.2.2: one knot after the other, by (4.1.7), and each insertion puts a point on each
-  of some edges and takes the old vertices away.
+  of some edges and takes the old vertices away, and those without a share where a knot is more than $k$-fold.
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon; for points of the plane
   the lemma fails
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
@@ -830,7 +832,7 @@ $\mu_i+(i-1)(k-1)$.  At a $k$-fold right end the point of the curve is $r_n$, an
 :::{statement} wang-ch4:thm-4.2.2-corollaries
 :title: The earlier properties are special cases
 :zh: 性质 1.3.10、3.2.7 与定理 2.11.2
-:printed: properties 1.3.10, 3.2.7 and theorem 2.11.2 are obviously direct corollaries of these theorems
+:printed: properties 1.3.10, 3.2.7 and theorem 2.11.2 are obviously direct corollaries of the theorem above
 :holds-by: bezier_curves_are_nurbs_curves equal_weights_give_bspline averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges
   inserted_parameters_become_vertices line_form_of_a_nurbs_curve
