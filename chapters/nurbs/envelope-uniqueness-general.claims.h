@@ -284,7 +284,7 @@ CLAIM(member_of_an_inflection_is_a_solution)
 /*
 
 The source derives the step from one level to the next by comparing the weights of two parameters, index by index.
-The formulas are right; at multiple knots they contain terms $0/0$, which stand for B-splines that vanish on the span.
+The formulas are right but for the first index of two sums; at multiple knots they contain terms $0/0$, which stand for B-splines that vanish on the span.
 
 :::{statement} wang-ch4:thm-4.3.3-difference
 :title: How a weight of level r changes with its parameter
@@ -293,11 +293,11 @@ The formulas are right; at multiple knots they contain terms $0/0$, which stand 
   +(t_{i+k-r}-t)(w_{i-1}^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(t)),\quad i=j-k+r+1,j-k+r+2,\dots,j;\ t_i\le t,\tau<t_{i+1}
 :holds-by: one_step_at_two_parameters divisors_contain_the_span
 :confirmed-by: weights_of_two_parameters_differ_as_printed
-:meant: (4.3.15), the formulas before it and the sums behind it, by which the span is that of $t_j$ | The range is $t_j\le t,\tau<t_{j+1}$, see
+:meant: (4.3.15) and the sums in which these weights stand, whose span is that of $t_j$ | The range is $t_j\le t,\tau<t_{j+1}$, see
   `notation-4.3`.
 :figure: nurbs_envelope_square
 
-The equation is an identity for any $t$ and $\tau$.
+The equation is true for any $t$ and $\tau$, also for those of the range that is printed.
 :::
 
 :::{claim} one_step_at_two_parameters
@@ -309,7 +309,7 @@ The equation is an identity for any $t$ and $\tau$.
   two knots are different: `divisors_contain_the_span`.
 :harmless: $t_i\ne t_{i+k-r}$ | they are on different sides of the span
 :degrees: all
-:over: u: knot; h: difference of two knots; w# v#: weights
+:over: u#: knots; h#: positive differences of two knots; w# v#: weights
 :control: $t-\tau$ in the place of $\tau-t$ in the first term
 :::
 */

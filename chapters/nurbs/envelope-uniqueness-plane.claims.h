@@ -206,7 +206,7 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 :title: The plane of the family may be taken as z = 0
 :zh: 可设族所在平面为 z=0
 :printed: hence one may put $\mathbf r_i=(x_i,y_i,0)$, $\mathbf r(t)=(x(t),y(t),0)$, $\mathbf
-  r^{[k-1]}(t,\tau)=(x^{[k-1]}(t,\tau),y^{[k-1]}(t,\tau),0)$
+  r^{[k-1]}(t,\tau)=(x^{[k-1]}(t,\tau),y^{[k-1]}(t,\tau),0)$, $i=j-k+1,j-k+2,\dots,j$; $t_j\le t,\tau<t_{j+1}$
 :holds-by: family_moves_with_its_points
 :confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
@@ -225,7 +225,7 @@ and their derivatives its linear part.
 :zh: 顶点经仿射变换,族曲线随之变换
 :given: order $k$; simple knots, or the ends of the span $(k-1)$-fold, or its left end double, for $k\le4$ all patterns; weights
   and points, any $t$
-  and $\tau$, $r=1,\dots,k-2$; a function $\ell(x,y)=ax+by+c$
+  and $\tau$, $r=0,\dots,k-2$, which for $r=0$ is the curve itself; a function $\ell(x,y)=ax+by+c$
 :where: the weights of the curve, the levels and the member are not 0
 :then: with $\ell(\mathbf r_i)$ for the points the member is $\ell(\mathbf r^{[k-r]}(t,\tau))$, and its derivatives by
   $t$ and by $\tau$ are those of $\mathbf r^{[k-r]}$ under $ax+by$
@@ -255,7 +255,7 @@ CLAIM(family_moves_with_its_points)
     for (int shape = 0; shape < G(shapes)(p); shape++) {
         G(knots_of_span)(T, p, shape, u, place);
         G(numbers_above)(3, p, 2 * p + 2, place, u);
-        for (int r = 1; r <= p - 1; r++) {
+        for (int r = 0; r <= p - 1; r++) {
             num D[6], E[3];
             G(family_derivatives)(p, 2, u, mu, R, w, r, tau, t, D);
             G(family_derivatives)(p, 1, u, mu, L, w, r, tau, t, E);
@@ -454,7 +454,7 @@ CLAIM(straight_segment_is_overshot)
     found_points(T, "ends of the segment", 2, 2, ends);
     found_whole(T, "zeros of r'", still);
     found_whole(T, "parameters with this point", places);
-    about(T, "the point is on the segment, whose derivative is not 0");
+    about(T, "the point of the member is on the segment, which is run through once");
     refute(T, still == 0 && places == 0);
 }
 

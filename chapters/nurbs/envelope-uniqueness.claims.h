@@ -67,7 +67,9 @@ its pairs have the point $\mathbf r(t_0)$.
   to each member where it passes it.
 :figure: nurbs_second_line
 
-The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$ and the curve does not stand still.
+The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$ and the curve is not one point.
+That $\tau$ is not constant on the solution, as has to be asked for in (4.3.15), need not be asked for here: the solutions are the diagonal and
+lines $t=t_0$, see `formula-4.3.10`.
 :::
 
 :::{claim} touching_curve_satisfies_the_condition
@@ -77,7 +79,9 @@ The condition is necessary for every such curve, and sufficient where $\partial_
 :then: $(t'X_t+\tau'X_\tau)\times X_t=\tau'\,X_\tau\times X_t$ in space
 :method: The chain rule; three coordinates, everything a variable.  The left side is 0 if the curve and the member
   have one tangent; so $X_\tau\times X_t=0$ where $\tau'\ne0$.  Conversely the curve is tangent where this holds,
-  $X_t\ne0$ and the derivative $t'X_t+\tau'X_\tau$ of the curve is not 0, and by continuity at isolated zeros of it.
+  $X_t\ne0$ and the derivative $t'X_t+\tau'X_\tau$ of the curve is not 0.
+:argued: isolated points where the curve stands still | Its direction there is the limit of its directions beside the point; these are along $X_t$, which is
+  continuous and not 0.
 :over: dt ds: -; X# Y#: derivatives of the family
 :control: the factor $t'$ in the place of $\tau'$
 :::
@@ -529,7 +533,7 @@ CLAIM(extra_points_run_along_the_tangent)
 :corrected-by: product_with_the_numerator_gives_the_triple_product product_with_second_derivative_loses_the_left_side
 :figure: product_that_says_nothing
 
-For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.
+For equal weights, that is for B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.
 :::
 
 :::{claim} product_with_second_derivative_loses_the_left_side
@@ -667,7 +671,7 @@ For $\tau\ne t$ it is equivalent to the triple product of `thm-4.3.2-dot`.
   weights, knots and $t$ as variables.
 :scope: k = 2 to 4 and every pattern of the knots of a span for the sum over the points
 :where: $w(t)\ne0$
-:argued: every order | The triple product with two fixed vectors is a linear function of the third, and $p$ is the sum of the
+:argued: every order and all knots | The triple product with two fixed vectors is a linear function of the third, and $p$ is the sum of the
   $N_{i,k}(t)w_ir_i$.
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator; A# B#: vectors
 :control: the sign

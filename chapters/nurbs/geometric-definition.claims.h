@@ -30,7 +30,7 @@ envelope.
   a leg of the polygon
 :figure: nurbs_polygons
 
-With strictly increasing knots the curve of order 2 runs through the legs, from $\mathbf r_1$ at $t_2$ to $\mathbf
+With $t_2<t_3<\dots<t_{n+1}$ the curve of order 2 runs through the legs, from $\mathbf r_1$ at $t_2$ to $\mathbf
 r_n$ at $t_{n+1}$.
 :::
 
@@ -212,6 +212,8 @@ CLAIM(double_knot_skips_a_leg)
 :reading: polygon_end_belongs_to_no_interval | at $t=t_{n+1}=t_{n+2}$ by the letter of the half-open intervals: the sum is
   $0/0$ there, and the polygon lacks $\mathbf r_n$
 :figure: nurbs_polygons
+
+Where two of the knots $t_2,\dots,t_{n+1}$ are one the curve of this sum lacks a leg of the polygon, see `def-4.3.1-polygon`.
 :::
 
 :::{claim} polygon_end_belongs_to_no_interval
@@ -307,16 +309,17 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
   r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)$
 :definition: yes
 :checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$
 :hypothesis: extrapolated_member_has_a_pole | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$;
   where for one $\tau$ a weight is 0, for another one it is negative, and the denominator may vanish
 :hypothesis: lower_level_lacks_a_point | no $w_i^{[r]}(\tau)$, $i=r+1,\dots,n$, of the levels $r=1,\dots,k-3$ vanishes there
-:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or the terms with $t_i=t_{i+2}$ are left
-  out: their $N_{i,2}$ is 0
+:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or on every level $r$ the terms with $t_i=t_{i+k-r}$ are left
+  out: their $N_{i,k-r}$ is 0
 :figure: nurbs_polygons
 
 Values at $t_{n+1}$ are limits from the left, see `def-4.1.1-interval`.  That no weight of the level is 0 for any $\tau$ makes positive those whose $N_{i,2}$ is not 0 on the
-domain, each being positive on a span of it, and then no denominator vanishes.
+domain, each being positive on a span of it (`extrapolated_members_keep_positive_weights_inside`), and then no denominator vanishes.
 :::
 
 In the polygon of $\tau$ only one leg belongs to the span of $\tau$.  What are the others?  By the polar form the leg
