@@ -42,7 +42,7 @@ vanishing curvature or torsion, and its members have them.
   closed span and $\tau(t)$ continuous on it | Beside $\tau=t$ the condition is $R'\times R''=0$ for the member of the level before, as what is corrected says;
   on the diagonal its derivatives are parallel to those of the curve, so that $R'\times R''$ is $\mathbf r'\times\mathbf r''$ times a factor which is not 0
   (`curvatures_have_a_fixed_ratio`).  So about a point of the diagonal $\tau=t$ is the only solution.  A continuous $\tau(t)$ of the closed span into itself has a
-  point $\tau(t)=t$; such points are closed in the span, and by what was said open in it: they are the whole span.
+  point $\tau(t)=t$; the set of such points is closed in the span, and by what was said open in it: it is the whole span.
 :reading-with: curvatures_have_a_fixed_ratio general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before
 :meant: (4.3.3) and (4.3.15), by which the section determines the envelope | The first and the second: all joint
@@ -220,7 +220,8 @@ CLAIM(general_condition_is_that_of_the_level_before)
 :zh: 解写成 τ=τ(t)
 :printed: in the joint solution of (4.3.3) and (4.3.15) $\tau=\tau(t)$
 :reading: general_condition_is_that_of_the_level_before | it says which solutions are looked for: as an agreement it decides nothing, but then the
-  pairs of a line $t=t_0$ are left out, as by (4.3.10); which pairs there are beside $\tau=t$, the condition $R'\times R''=0$ says
+  pairs of a line $t=t_0$ are left out, as by (4.3.10); which pairs there are beside $\tau=t$, the condition $R'\times R''=0$ for the member
+  $R=\mathbf r^{[k-r+1]}(\cdot,\tau)$ of the level before says
 :reading-with: family_steps_along_the_tangent derivative_by_tau_is_that_of_the_level_before
 :reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: for $r=1$ the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$ do not

@@ -31,7 +31,8 @@ held for all $t$ of the span.  If it does hold for all of them both conclusions 
 :corrected-by: points_are_polar_values_of_the_segment common_normal_makes_points_coplanar
 :argued: | Rational functions whose Wronskian is 0 for all $t$ of a span are linearly dependent: the rows $\mathbf r,\mathbf r',\mathbf
   r''$ have a common normal $n=\mathbf r\times\mathbf r'$; $n$ and $n'=\mathbf r\times\mathbf r''$ are both normal to the first two, so
-  that the direction of $n$ is constant where these are independent; else $\mathbf r$ is on a line through the origin.
+  that the direction of $n$ is constant on an interval where these are independent: there, and being rational everywhere, $\mathbf r$ is in the plane through the
+  origin with this normal.  If they are dependent for all $t$, $\mathbf r$ is on a line through the origin.
 :figure: points_off_the_plane
 :::
 
@@ -309,7 +310,7 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :refuted-by: inflected_cubic_is_not_straight
 :meant: the proof, in which (4.3.14) is what is left of the alternative to $\tau=t$ | The first: at one $t$.
 :reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives
-:reading: slope_is_constant_where_nothing_turns | for all $t$ | A quotient whose derivative is 0 on an interval is constant there; where $x'$ is 0 for all $t$, $x$ is.
+:reading: slope_is_constant_where_nothing_turns | for all $t$ | A quotient whose derivative is 0 on an interval is constant there; where $x'$ is 0 for all $t$, $x$ is constant.
 :corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
 :corrected-by: slope_is_constant_where_nothing_turns
 :argued: | A quotient whose derivative is 0 on an interval is constant there: so on an interval without zeros of $x'$ the slope $y'/x'$ is, and $y=ax+b$ there; both being rational, so
@@ -414,7 +415,7 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent
 :figure: nurbs_folded_line
 
-The points of all members may be more than those of $\mathbf r$: in both examples one is.  In the first $\mathbf r'\ne0$ on the closed span, and $\mathbf r$ runs
+Members may have points that $\mathbf r$ has not: in both examples there is one.  In the first $\mathbf r'\ne0$ on the closed span, and $\mathbf r$ runs
 through its segment once.
 :::
 

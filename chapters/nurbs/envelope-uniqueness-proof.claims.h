@@ -85,7 +85,7 @@ CLAIM(superscript_of_the_order_gives_another_product)
 :refuted-by: member_osculates_a_plane_through_the_origin
 :reading: member_osculates_a_plane_through_the_origin | at one pair $(t,\tau)$, from the sum alone, as the sentence says; where (4.3.15) itself holds
   with $\tau\ne t$ it is as corrected
-:reading: points_are_polar_values_of_the_segment | for all pairs of the square, each member
+:reading: points_are_polar_values_of_the_segment | for all pairs of the square $[t_j,t_{j+1})^2$, each member
   being in a plane through the origin and its points with it, but not by linear independence | The Wronskian of the coordinates
   of the member is 0 for all $t$, so they are linearly dependent, as for `thm-4.3.2-independence`: the member is in a plane through the origin, and this has its points.
 :meant: the sentence, which begins with the sum | The first: at one pair $(t,\tau)$, from the sum.
@@ -261,7 +261,7 @@ CLAIM(weighted_points_follow_the_recursion)
 :class: invalid-proof
 :refuted-by: level_one_in_a_plane_and_the_points_not
 :reading: level_one_in_a_plane_and_the_points_not | at one pair, or at one $\tau$ and all $t$
-:reading: span_derivatives_are_parallel | for all pairs of the square, because on the diagonal it says that the
+:reading: span_derivatives_are_parallel | for all pairs of the square $[t_j,t_{j+1})^2$, because on the diagonal it says that the
   curve is in a plane through the origin; not by solving for the terms | At $\tau=t$ the member has the point, the tangent and
   the osculating plane of the curve, so that the Wronskian of the coordinates of the curve is 0 for all $t$: the curve is in a plane through the
   origin, as for `thm-4.3.2-independence`.  The plane has the control points (`points_are_polar_values_of_the_segment`), and so those of every level.
@@ -321,7 +321,7 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
   points_are_polar_values_of_the_segment curvatures_have_a_fixed_ratio span_derivatives_are_parallel
 :needs: twisted_sextic_has_products_zero | the sentence, which is about the whole span | the condition holds for all pairs of the
-  square; at one pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points
+  square $[t_j,t_{j+1})^2$; at one pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points
   need not be coplanar
 :argued: | Either the last two factors are independent for one pair, and their normal is common to all points, or $R'\times R''$ is 0 for all pairs.  At $\tau=t$ it is
   $\mathbf r'\times\mathbf r''$ times a factor that is not 0, the derivatives being parallel; so this is 0 for all $t$, the segment is straight, as for

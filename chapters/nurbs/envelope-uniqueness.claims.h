@@ -171,11 +171,11 @@ CLAIM(solutions_at_a_cusp_have_one_point)
 :zh: 解写成 τ=τ(t)
 :printed: in the joint solution of (4.3.3) and (4.3.9) $\tau=\tau(t)$
 :reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it decides nothing, but then a
-  line $t=t_0$ of the square is left out of the envelope by agreement
+  line $t=t_0$ of the square $[t_j,t_{j+1})^2$ is left out of the envelope by agreement
 :reading-with: first_level_follows_the_tangent
 :reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: the lines
   $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
-:corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
+:corrected: the solutions of (4.3.9) in the square $[t_j,t_{j+1})^2$ are the diagonal and the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent
 :figure: nurbs_second_line
@@ -466,7 +466,7 @@ CLAIM(first_level_condition_as_printed)
 :then: $W\,r'\times p''-w''\,r'\times A=W\,w\;r'\times r''$, hence
   $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
 :method: $X_\tau$, $X_t$, $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
-  joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$.
+  joint solutions in the square $[t_j,t_{j+1})^2$ are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$.
 :where: the weights of the curve, the levels and the member are not 0
 :degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
@@ -652,8 +652,8 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :reading: triple_product_is_that_of_the_point | from the equation before it, that of `thm-4.3.2-dot`
 :reading: first_level_condition_factors | for the joint solutions of (4.3.3) and (4.3.9) | For $\tau\ne t$ the condition says $\mathbf r'\times\mathbf r''=0$, so that each term of the sum is 0.
 :reading-with: first_level_follows_the_tangent
-:needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0; as for
-  positive weights and $t$ and $\tau$ in one span
+:needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0:
+  positive $w_i$ make it positive for $t$ and $\tau$ in one span
 :figure: points_off_the_plane
 
 For $\tau\ne t$ it is equivalent to the triple product of `thm-4.3.2-dot`.

@@ -52,7 +52,7 @@ r_n$ at $t_{n+1}$.
 :then: of the four functions of order 2 that these knots have the two outer ones are 0 on the span, and the sum of all is the printed quotient of the
   two points between
 :method: The sums by the recursion of de Boor and Cox as it is defined.  Every other function of order 2 is made from two functions of order 1
-  of other spans, which are 0 on this one (`outer_functions_are_made_of_outer_ones`); so the number of points is in nothing.
+  of other spans, which are 0 on this one (`outer_functions_are_made_of_outer_ones`); so the number of points does not matter.
 :degrees: 1..1
 :scope: every pattern of the knots around a span
 :control: the weights of the two points exchanged
@@ -253,9 +253,9 @@ CLAIM(polygon_end_belongs_to_no_interval)
 :refuted-by: recursion_asks_for_a_point_that_is_missing
 :corrected: $i=r+1,r+2,\dots,n$
 :corrected-by: whole_member_is_polar_on_every_span
-:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for $\rho=1,\dots,r$ and $i=\rho+1,\dots,n$: put right, too, the recursion may lack a point although
+:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for $\rho=1,\dots,r$ and $i=\rho+1,\dots,n$: also with the right range of $i$ the recursion may lack a point although
   all weights are positive
-:hypothesis: high_knot_leaves_a_point_undefined | the terms with $t_i=t_{i+k-r}$ are left out: put right, too, (4.1.3) divides by 0 there
+:hypothesis: high_knot_leaves_a_point_undefined | the terms with $t_i=t_{i+k-r}$ are left out: also with the right range of $i$ (4.1.3) divides by 0 there
 :figure: recursion_indices
 
 For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]}$ and that $\mathbf r_0$, which does
