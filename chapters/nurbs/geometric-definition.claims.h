@@ -126,10 +126,10 @@ quotient runs through the leg once, forwards.  For positive weights it does, at 
 :title: A leg is run through from one end to the other
 :zh: 每段从一端到另一端单调
 :given: $w_{j-1},w_j>0$ and $t=(t_j+t_{j+1}x)/(1+x)$, $x\ge0$
-:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which is 0 for $x=0$, increases strictly and has the
-  limit 1
-:method: An identity for $x=0$ and for $x>0$; $\lambda(x+h)-\lambda(x)>0$ for $h>0$ by the signs of the coefficients; and
-  $1-\lambda=\frac{w_{j-1}}{w_{j-1}+xw_j}$, which tends to 0 with growing $x$.
+:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which is 0 for $x=0$, increases strictly and is below 1;
+  at $t=t_{j+1}$ the quotient of the leg is $r_j$
+:method: An identity for $x=0$ and for $x>0$; $\lambda(x+h)-\lambda(x)>0$ for $h>0$ by the signs of the coefficients;
+  $1-\lambda=\frac{w_{j-1}}{w_{j-1}+xw_j}$; and the end of the leg, which is a continuous function of $t$ on the closed span.
 :types: field rational
 :over: x h: ratio in which t divides its span; u: knot; g: length of the span
 :control: $\lambda=\frac{x}{1+x}$, as if the weights were equal
@@ -155,6 +155,10 @@ CLAIM(legs_are_run_through)
         about(T, "what is missing to 1");
         same(T, sub(one, lambda), div(v, add(v, mul(x, w))));
     }
+    /* at t = t_j+1, the first factor being 0: leg = r_j */
+    num end = add(u, length), first = mul(sub(end, end), v), last = mul(sub(end, u), w);
+    about(T, "the end of the leg");
+    same(T, div(add(mul(first, a), mul(last, b)), add(first, last)), b);
 }
 #endif
 
