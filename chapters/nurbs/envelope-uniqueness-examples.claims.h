@@ -116,10 +116,10 @@ CLAIM(twisted_sextic_has_second_envelope)
 :zh: 在整段上有定义的另一解 τ(t)
 :kind: counterexample
 :given: the cubic $\sum a_mt^m$, which is $(t,t^3)$, as a segment of degree five over the uniform knots $t_i$, weights
-  1; $r=3$, and the solution $\tau(t)=ct$
+  1; $r=3$, the solution $\tau(t)=ct$, and a $t$
 :data: t_i = -11 -9 -7 -5 -3 -1 1 3 5 7 9 11; a = (0,0) (1,0) (0,0) (0,1) (0,0) (0,0); r = 3; c = -1/2; t = 4/5
 :instead: c = 1
-:then: (4.3.15) is satisfied for all $t$ of the span; one point, that of the last $t$, is not on the curve
+:then: (4.3.15) is satisfied with this $\tau(t)$ for all $t$ of the span; the point of the given $t$ is not on the curve
 :result: r_i = (-5,-95) (-3,-9) (-1,5) (1,-5) (3,9) (5,95); the condition is satisfied at t = (-1) (-3/4) (-1/2) (-1/4) (0) (1/4) (1/2) (3/4) (1); point of the member =
   (2/25,-4/625); its derivatives by t and τ = (2/5,-12/125) (3/5,-18/125)
 :method: With weights 1 a member $X$ is a polynomial in $t$ and $\tau$ of degree $5$ together, and $X_t\times X_\tau$ one in $t$ of degree eight for $\tau=ct$: it is $0$ for all $t$

@@ -42,7 +42,7 @@ vanishing curvature or torsion, and its members have them.
   closed span and $\tau(t)$ continuous on it | Beside $\tau=t$ the condition is $R'\times R''=0$ for the member of the level before, as what is corrected says;
   on the diagonal its derivatives are parallel to those of the curve, so that $R'\times R''$ is $\mathbf r'\times\mathbf r''$ times a factor which is not 0
   (`curvatures_have_a_fixed_ratio`).  So about a point of the diagonal $\tau=t$ is the only solution.  A continuous $\tau(t)$ of the closed span into itself has a
-  point $\tau(t)=t$; such points are closed in the span, and by what was said open in it: they are the whole span.
+  point $\tau(t)=t$; the set of such points is closed in the span, and by what was said open in it: it is the whole span.
 :reading-with: curvatures_have_a_fixed_ratio general_condition_is_that_of_the_level_before family_steps_along_the_tangent
   derivative_by_tau_is_that_of_the_level_before
 :meant: (4.3.3) and (4.3.15), by which the section determines the envelope | The first and the second: all joint
@@ -220,7 +220,8 @@ CLAIM(general_condition_is_that_of_the_level_before)
 :zh: 解写成 τ=τ(t)
 :printed: in the joint solution of (4.3.3) and (4.3.15) $\tau=\tau(t)$
 :reading: general_condition_is_that_of_the_level_before | it says which solutions are looked for: as an agreement it decides nothing, but then the
-  pairs of a line $t=t_0$ are left out, as by (4.3.10); which pairs there are beside $\tau=t$, the condition $R'\times R''=0$ says
+  pairs of a line $t=t_0$ are left out, as by (4.3.10); which pairs there are beside $\tau=t$, the condition $R'\times R''=0$ for the member
+  $R=\mathbf r^{[k-r+1]}(\cdot,\tau)$ of the level before says
 :reading-with: family_steps_along_the_tangent derivative_by_tau_is_that_of_the_level_before
 :reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: for $r=1$ the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$ do not
@@ -284,7 +285,7 @@ CLAIM(member_of_an_inflection_is_a_solution)
 /*
 
 The source derives the step from one level to the next by comparing the weights of two parameters, index by index.
-The formulas are right; at multiple knots they contain terms $0/0$, which stand for B-splines that vanish on the span.
+The formulas are right but for the first index of two sums; at multiple knots they contain terms $0/0$, which stand for B-splines that vanish on the span.
 
 :::{statement} wang-ch4:thm-4.3.3-difference
 :title: How a weight of level r changes with its parameter
@@ -293,11 +294,11 @@ The formulas are right; at multiple knots they contain terms $0/0$, which stand 
   +(t_{i+k-r}-t)(w_{i-1}^{[r-1]}(\tau)-w_{i-1}^{[r-1]}(t)),\quad i=j-k+r+1,j-k+r+2,\dots,j;\ t_i\le t,\tau<t_{i+1}
 :holds-by: one_step_at_two_parameters divisors_contain_the_span
 :confirmed-by: weights_of_two_parameters_differ_as_printed
-:meant: (4.3.15), the formulas before it and the sums behind it, by which the span is that of $t_j$ | The range is $t_j\le t,\tau<t_{j+1}$, see
+:meant: (4.3.15) and the sums in which these weights stand, whose span is that of $t_j$ | The range is $t_j\le t,\tau<t_{j+1}$, see
   `notation-4.3`.
 :figure: nurbs_envelope_square
 
-The equation is an identity for any $t$ and $\tau$.
+The equation is true for any $t$ and $\tau$, also for those of the range that is printed.
 :::
 
 :::{claim} one_step_at_two_parameters
@@ -309,7 +310,7 @@ The equation is an identity for any $t$ and $\tau$.
   two knots are different: `divisors_contain_the_span`.
 :harmless: $t_i\ne t_{i+k-r}$ | they are on different sides of the span
 :degrees: all
-:over: u: knot; h: difference of two knots; w# v#: weights
+:over: u#: knots; h#: positive differences of two knots; w# v#: weights
 :control: $t-\tau$ in the place of $\tau-t$ in the first term
 :::
 */

@@ -31,7 +31,8 @@ held for all $t$ of the span.  If it does hold for all of them both conclusions 
 :corrected-by: points_are_polar_values_of_the_segment common_normal_makes_points_coplanar
 :argued: | Rational functions whose Wronskian is 0 for all $t$ of a span are linearly dependent: the rows $\mathbf r,\mathbf r',\mathbf
   r''$ have a common normal $n=\mathbf r\times\mathbf r'$; $n$ and $n'=\mathbf r\times\mathbf r''$ are both normal to the first two, so
-  that the direction of $n$ is constant where these are independent; else $\mathbf r$ is on a line through the origin.
+  that the direction of $n$ is constant on an interval where these are independent: there, and being rational everywhere, $\mathbf r$ is in the plane through the
+  origin with this normal.  If they are dependent for all $t$, $\mathbf r$ is on a line through the origin.
 :figure: points_off_the_plane
 :::
 
@@ -206,7 +207,7 @@ CLAIM(vanishing_curvature_says_nothing_about_the_points)
 :title: The plane of the family may be taken as z = 0
 :zh: 可设族所在平面为 z=0
 :printed: hence one may put $\mathbf r_i=(x_i,y_i,0)$, $\mathbf r(t)=(x(t),y(t),0)$, $\mathbf
-  r^{[k-1]}(t,\tau)=(x^{[k-1]}(t,\tau),y^{[k-1]}(t,\tau),0)$
+  r^{[k-1]}(t,\tau)=(x^{[k-1]}(t,\tau),y^{[k-1]}(t,\tau),0)$, $i=j-k+1,j-k+2,\dots,j$; $t_j\le t,\tau<t_{j+1}$
 :holds-by: family_moves_with_its_points
 :confirmed-by: extrapolated_members_keep_positive_weights_inside
 :figure: nurbs_second_line
@@ -225,7 +226,7 @@ and their derivatives its linear part.
 :zh: 顶点经仿射变换,族曲线随之变换
 :given: order $k$; simple knots, or the ends of the span $(k-1)$-fold, or its left end double, for $k\le4$ all patterns; weights
   and points, any $t$
-  and $\tau$, $r=1,\dots,k-2$; a function $\ell(x,y)=ax+by+c$
+  and $\tau$, $r=0,\dots,k-2$, which for $r=0$ is the curve itself; a function $\ell(x,y)=ax+by+c$
 :where: the weights of the curve, the levels and the member are not 0
 :then: with $\ell(\mathbf r_i)$ for the points the member is $\ell(\mathbf r^{[k-r]}(t,\tau))$, and its derivatives by
   $t$ and by $\tau$ are those of $\mathbf r^{[k-r]}$ under $ax+by$
@@ -255,7 +256,7 @@ CLAIM(family_moves_with_its_points)
     for (int shape = 0; shape < G(shapes)(p); shape++) {
         G(knots_of_span)(T, p, shape, u, place);
         G(numbers_above)(3, p, 2 * p + 2, place, u);
-        for (int r = 1; r <= p - 1; r++) {
+        for (int r = 0; r <= p - 1; r++) {
             num D[6], E[3];
             G(family_derivatives)(p, 2, u, mu, R, w, r, tau, t, D);
             G(family_derivatives)(p, 1, u, mu, L, w, r, tau, t, E);
@@ -309,7 +310,7 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :refuted-by: inflected_cubic_is_not_straight
 :meant: the proof, in which (4.3.14) is what is left of the alternative to $\tau=t$ | The first: at one $t$.
 :reading: inflected_cubic_is_not_straight | at one $t$, which is all that the alternative gives
-:reading: slope_is_constant_where_nothing_turns | for all $t$ | A quotient whose derivative is 0 on an interval is constant there; where $x'$ is 0 for all $t$, $x$ is.
+:reading: slope_is_constant_where_nothing_turns | for all $t$ | A quotient whose derivative is 0 on an interval is constant there; where $x'$ is 0 for all $t$, $x$ is constant.
 :corrected: if (4.3.14) holds for all $t$ of the span, $\mathbf r$ is on a straight line
 :corrected-by: slope_is_constant_where_nothing_turns
 :argued: | A quotient whose derivative is 0 on an interval is constant there: so on an interval without zeros of $x'$ the slope $y'/x'$ is, and $y=ax+b$ there; both being rational, so
@@ -414,7 +415,7 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent
 :figure: nurbs_folded_line
 
-The points of all members may be more than those of $\mathbf r$: in both examples one is.  In the first $\mathbf r'\ne0$ on the closed span, and $\mathbf r$ runs
+Members may have points that $\mathbf r$ has not: in both examples there is one.  In the first $\mathbf r'\ne0$ on the closed span, and $\mathbf r$ runs
 through its segment once.
 :::
 
@@ -454,7 +455,7 @@ CLAIM(straight_segment_is_overshot)
     found_points(T, "ends of the segment", 2, 2, ends);
     found_whole(T, "zeros of r'", still);
     found_whole(T, "parameters with this point", places);
-    about(T, "the point is on the segment, whose derivative is not 0");
+    about(T, "the point of the member is on the segment, which is run through once");
     refute(T, still == 0 && places == 0);
 }
 

@@ -26,7 +26,7 @@ $(t,\tau)$ together, and not for the single pair at hand.
   derivative_by_tau_is_that_of_the_level_before
 :figure: order_and_level
 
-Three misprints: (4.3.16) is no alternative but the form of every solution; no $\mathbf p_i^{[r-1]}$ is defined; and
+Three misprints: (4.3.16) is no alternative but the form of every solution; no $\mathbf p_i^{[r-1]}$ is defined, and the example has $\mathbf r_i^{[r-1]}$ for it; and
 by (4.3.3) the superscript of $\mathbf r^{[r-1]}(t,\tau)$ is an order, while those of (4.3.17) count levels.  Put
 right, the alternative is true for a stronger reason: for $\tau\ne t$ the vector product of the last two factors is 0.
 :::
@@ -85,9 +85,9 @@ CLAIM(superscript_of_the_order_gives_another_product)
 :refuted-by: member_osculates_a_plane_through_the_origin
 :reading: member_osculates_a_plane_through_the_origin | at one pair $(t,\tau)$, from the sum alone, as the sentence says; where (4.3.15) itself holds
   with $\tau\ne t$ it is as corrected
-:reading: points_are_polar_values_of_the_segment | for all pairs of the square, each member
+:reading: points_are_polar_values_of_the_segment | for all pairs of the square $[t_j,t_{j+1})^2$, each member
   being in a plane through the origin and its points with it, but not by linear independence | The Wronskian of the coordinates
-  of the member is 0 for all $t$, so they are linearly dependent.
+  of the member is 0 for all $t$, so they are linearly dependent, as for `thm-4.3.2-independence`: the member is in a plane through the origin, and this has its points.
 :meant: the sentence, which begins with the sum | The first: at one pair $(t,\tau)$, from the sum.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors, with $\mathbf r^{[k-r+1]}(t,\tau)$ for $\mathbf r^{[r-1]}(t,\tau)$ as in
   `thm-4.3.3-alternatives`, is 0, so each term is 0, whatever the points are
@@ -95,7 +95,7 @@ CLAIM(superscript_of_the_order_gives_another_product)
   derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
 
-The example, too, has $\mathbf r_i^{[r-1]}$ for $\mathbf p_i^{[r-1]}$, which is not defined, and the member of level $r-1$ for $\mathbf r^{[r-1]}(t,\tau)$.
+The example has $\mathbf r_i^{[r-1]}$ for $\mathbf p_i^{[r-1]}$, which is not defined, and the member of level $r-1$ for $\mathbf r^{[r-1]}(t,\tau)$.
 :::
 */
 
@@ -180,7 +180,7 @@ but to solve these equations backwards there is one of them too few.
 :method: Weight and point by their letter; everything a variable, so that it does not matter which order, level and index it is.  In the range of $i$ the
   two knots are different: `divisors_contain_the_span`, with $r-1$ for $r$.
 :degrees: all
-:over: u: knot; h: difference of two knots; A# B#: vectors
+:over: u#: knots; h#: positive differences of two knots; A# B#: vectors
 :control: $1-\alpha$ and $\alpha$ exchanged
 :::
 */
@@ -261,10 +261,10 @@ CLAIM(weighted_points_follow_the_recursion)
 :class: invalid-proof
 :refuted-by: level_one_in_a_plane_and_the_points_not
 :reading: level_one_in_a_plane_and_the_points_not | at one pair, or at one $\tau$ and all $t$
-:reading: span_derivatives_are_parallel | for all pairs of the square, because on the diagonal it says that the
+:reading: span_derivatives_are_parallel | for all pairs of the square $[t_j,t_{j+1})^2$, because on the diagonal it says that the
   curve is in a plane through the origin; not by solving for the terms | At $\tau=t$ the member has the point, the tangent and
-  the osculating plane of the curve, so that the Wronskian of the coordinates of the curve is 0 for all $t$; the plane has the
-  control points (`points_are_polar_values_of_the_segment`), and so those of every level.
+  the osculating plane of the curve, so that the Wronskian of the coordinates of the curve is 0 for all $t$: the curve is in a plane through the
+  origin, as for `thm-4.3.2-independence`.  The plane has the control points (`points_are_polar_values_of_the_segment`), and so those of every level.
 :reading-with: curvatures_have_a_fixed_ratio points_are_polar_values_of_the_segment
 :meant: the proof, in which it follows from the alternative to $\tau=t$ | The first: at one pair.
 :corrected: where (4.3.15) holds with $\tau\ne t$, the vector product of the last two factors, with $\mathbf r^{[k-r+1]}(t,\tau)$ for $\mathbf r^{[r-1]}(t,\tau)$ as in
@@ -273,7 +273,7 @@ CLAIM(weighted_points_follow_the_recursion)
   derivative_by_tau_is_that_of_the_level_before
 :figure: points_off_the_plane
 
-No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.  The examples, too, have the member of level $r-1$ for $\mathbf r^{[r-1]}(t,\tau)$.
+No $\mathbf p_i$ is defined, $\mathbf r_i$ is meant; for $t_i$ see `notation-4.3`.  The example has $\mathbf r_i$ for $\mathbf p_i$, and the member of level $r-1$ for $\mathbf r^{[r-1]}(t,\tau)$.
 :::
 */
 
@@ -321,7 +321,7 @@ CLAIM(level_one_in_a_plane_and_the_points_not)
 :holds-by: common_normal_makes_points_coplanar slope_is_constant_where_nothing_turns
   points_are_polar_values_of_the_segment curvatures_have_a_fixed_ratio span_derivatives_are_parallel
 :needs: twisted_sextic_has_products_zero | the sentence, which is about the whole span | the condition holds for all pairs of the
-  square; at one pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points
+  square $[t_j,t_{j+1})^2$; at one pair where (4.3.15) holds with $\tau\ne t$ the products are 0 because of their last two factors, and the points
   need not be coplanar
 :argued: | Either the last two factors are independent for one pair, and their normal is common to all points, or $R'\times R''$ is 0 for all pairs.  At $\tau=t$ it is
   $\mathbf r'\times\mathbf r''$ times a factor that is not 0, the derivatives being parallel; so this is 0 for all $t$, the segment is straight, as for
@@ -373,7 +373,7 @@ CLAIM(twisted_sextic_has_products_zero)
 :::{statement} wang-ch4:thm-4.3.3-plane
 :title: The plane case goes as for r = 1
 :zh: 平面情形仿照定理 4.3.2
-:printed: a process similar to that of theorem 4.3.2 shows the theorem
+:printed: so a process similar to that in the proof of theorem 4.3.2 shows that the theorem is true
 :class: false
 :refuted-by: convex_quartic_of_span_has_second_envelope
 :corrected: in the plane the condition is $(\tau-t)\,(X'Y''-X''Y')=0$ with the coordinates $X,Y$ of the member $\tau$

@@ -67,7 +67,9 @@ its pairs have the point $\mathbf r(t_0)$.
   to each member where it passes it.
 :figure: nurbs_second_line
 
-The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$ and the curve does not stand still.
+The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$ and the curve is not one point.
+That $\tau$ is not constant on the solution, as has to be asked for in (4.3.15), need not be asked for here: the solutions are the diagonal and
+lines $t=t_0$, see `formula-4.3.10`.
 :::
 
 :::{claim} touching_curve_satisfies_the_condition
@@ -77,7 +79,9 @@ The condition is necessary for every such curve, and sufficient where $\partial_
 :then: $(t'X_t+\tau'X_\tau)\times X_t=\tau'\,X_\tau\times X_t$ in space
 :method: The chain rule; three coordinates, everything a variable.  The left side is 0 if the curve and the member
   have one tangent; so $X_\tau\times X_t=0$ where $\tau'\ne0$.  Conversely the curve is tangent where this holds,
-  $X_t\ne0$ and the derivative $t'X_t+\tau'X_\tau$ of the curve is not 0, and by continuity at isolated zeros of it.
+  $X_t\ne0$ and the derivative $t'X_t+\tau'X_\tau$ of the curve is not 0.
+:argued: isolated points where the curve stands still | Its direction there is the limit of its directions beside the point; these are along $X_t$, which is
+  continuous and not 0.
 :over: dt ds: -; X# Y#: derivatives of the family
 :control: the factor $t'$ in the place of $\tau'$
 :::
@@ -167,11 +171,11 @@ CLAIM(solutions_at_a_cusp_have_one_point)
 :zh: 解写成 τ=τ(t)
 :printed: in the joint solution of (4.3.3) and (4.3.9) $\tau=\tau(t)$
 :reading: first_level_condition_factors | it says which solutions are looked for: as an agreement it decides nothing, but then a
-  line $t=t_0$ of the square is left out of the envelope by agreement
+  line $t=t_0$ of the square $[t_j,t_{j+1})^2$ is left out of the envelope by agreement
 :reading-with: first_level_follows_the_tangent
 :reading: inflected_cubic_has_second_envelope | it says that every joint solution has this form: the lines
   $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$ do not
-:corrected: the solutions of (4.3.9) in the square are the diagonal and the lines $t=t_0$ with $\mathbf
+:corrected: the solutions of (4.3.9) in the square $[t_j,t_{j+1})^2$ are the diagonal and the lines $t=t_0$ with $\mathbf
   r'(t_0)\times\mathbf r''(t_0)=0$, on which $t$ is a function of $\tau$
 :corrected-by: first_level_condition_factors first_level_follows_the_tangent
 :figure: nurbs_second_line
@@ -462,7 +466,7 @@ CLAIM(first_level_condition_as_printed)
 :then: $W\,r'\times p''-w''\,r'\times A=W\,w\;r'\times r''$, hence
   $X_\tau\times X_t=\frac{(\tau-t)w^3}{(k-1)^2W^3}\,r'\times r''$
 :method: $X_\tau$, $X_t$, $r'$ and $r''$ by the quotient rule; three coordinates, everything a variable.  So for positive weights the
-  joint solutions in the square are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$.
+  joint solutions in the square $[t_j,t_{j+1})^2$ are $\tau=t$ and the lines $t=t_0$ with $r'(t_0)\times r''(t_0)=0$.
 :where: the weights of the curve, the levels and the member are not 0
 :degrees: all from 1
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator
@@ -529,7 +533,7 @@ CLAIM(extra_points_run_along_the_tangent)
 :corrected-by: product_with_the_numerator_gives_the_triple_product product_with_second_derivative_loses_the_left_side
 :figure: product_that_says_nothing
 
-For equal weights, B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.
+For equal weights, that is for B-spline curves, the product with $\mathbf p''$ is $0=0$ for all $t$ and $\tau$.
 :::
 
 :::{claim} product_with_second_derivative_loses_the_left_side
@@ -648,8 +652,8 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :reading: triple_product_is_that_of_the_point | from the equation before it, that of `thm-4.3.2-dot`
 :reading: first_level_condition_factors | for the joint solutions of (4.3.3) and (4.3.9) | For $\tau\ne t$ the condition says $\mathbf r'\times\mathbf r''=0$, so that each term of the sum is 0.
 :reading-with: first_level_follows_the_tangent
-:needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0; as for
-  positive weights and $t$ and $\tau$ in one span
+:needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0:
+  positive $w_i$ make it positive for $t$ and $\tau$ in one span
 :figure: points_off_the_plane
 
 For $\tau\ne t$ it is equivalent to the triple product of `thm-4.3.2-dot`.
@@ -667,7 +671,7 @@ For $\tau\ne t$ it is equivalent to the triple product of `thm-4.3.2-dot`.
   weights, knots and $t$ as variables.
 :scope: k = 2 to 4 and every pattern of the knots of a span for the sum over the points
 :where: $w(t)\ne0$
-:argued: every order | The triple product with two fixed vectors is a linear function of the third, and $p$ is the sum of the
+:argued: every order and all knots | The triple product with two fixed vectors is a linear function of the third, and $p$ is the sum of the
   $N_{i,k}(t)w_ir_i$.
 :over: k: -; e: step from t to τ; f# g# h#: derivatives of the numerator; v#: derivatives of the denominator; A# B#: vectors
 :control: the sign

@@ -30,7 +30,7 @@ envelope.
   a leg of the polygon
 :figure: nurbs_polygons
 
-With strictly increasing knots the curve of order 2 runs through the legs, from $\mathbf r_1$ at $t_2$ to $\mathbf
+With $t_2<t_3<\dots<t_{n+1}$ the curve of order 2 runs through the legs, from $\mathbf r_1$ at $t_2$ to $\mathbf
 r_n$ at $t_{n+1}$.
 :::
 
@@ -52,7 +52,7 @@ r_n$ at $t_{n+1}$.
 :then: of the four functions of order 2 that these knots have the two outer ones are 0 on the span, and the sum of all is the printed quotient of the
   two points between
 :method: The sums by the recursion of de Boor and Cox as it is defined.  Every other function of order 2 is made from two functions of order 1
-  of other spans, which are 0 on this one (`outer_functions_are_made_of_outer_ones`); so the number of points is in nothing.
+  of other spans, which are 0 on this one (`outer_functions_are_made_of_outer_ones`); so the number of points does not matter.
 :degrees: 1..1
 :scope: every pattern of the knots around a span
 :control: the weights of the two points exchanged
@@ -126,10 +126,10 @@ quotient runs through the leg once, forwards.  For positive weights it does, at 
 :title: A leg is run through from one end to the other
 :zh: 每段从一端到另一端单调
 :given: $w_{j-1},w_j>0$ and $t=(t_j+t_{j+1}x)/(1+x)$, $x\ge0$
-:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which is 0 for $x=0$, increases strictly and has the
-  limit 1
-:method: An identity for $x=0$ and for $x>0$; $\lambda(x+h)-\lambda(x)>0$ for $h>0$ by the signs of the coefficients; and
-  $1-\lambda=\frac{w_{j-1}}{w_{j-1}+xw_j}$, which tends to 0 with growing $x$.
+:then: the leg at $t$ is $r_{j-1}+\lambda(r_j-r_{j-1})$ with $\lambda=\frac{xw_j}{w_{j-1}+xw_j}$, which is 0 for $x=0$, increases strictly and is below 1;
+  at $t=t_{j+1}$ the quotient of the leg is $r_j$
+:method: An identity for $x=0$ and for $x>0$; $\lambda(x+h)-\lambda(x)>0$ for $h>0$ by the signs of the coefficients;
+  $1-\lambda=\frac{w_{j-1}}{w_{j-1}+xw_j}$; and the end of the leg, which is a continuous function of $t$ on the closed span.
 :types: field rational
 :over: x h: ratio in which t divides its span; u: knot; g: length of the span
 :control: $\lambda=\frac{x}{1+x}$, as if the weights were equal
@@ -155,6 +155,10 @@ CLAIM(legs_are_run_through)
         about(T, "what is missing to 1");
         same(T, sub(one, lambda), div(v, add(v, mul(x, w))));
     }
+    /* at t = t_j+1, the first factor being 0: leg = r_j */
+    num end = add(u, length), first = mul(sub(end, end), v), last = mul(sub(end, u), w);
+    about(T, "the end of the leg");
+    same(T, div(add(mul(first, a), mul(last, b)), add(first, last)), b);
 }
 #endif
 
@@ -212,6 +216,8 @@ CLAIM(double_knot_skips_a_leg)
 :reading: polygon_end_belongs_to_no_interval | at $t=t_{n+1}=t_{n+2}$ by the letter of the half-open intervals: the sum is
   $0/0$ there, and the polygon lacks $\mathbf r_n$
 :figure: nurbs_polygons
+
+Where two of the knots $t_2,\dots,t_{n+1}$ are one the curve of this sum lacks a leg of the polygon, see `def-4.3.1-polygon`.
 :::
 
 :::{claim} polygon_end_belongs_to_no_interval
@@ -251,9 +257,9 @@ CLAIM(polygon_end_belongs_to_no_interval)
 :refuted-by: recursion_asks_for_a_point_that_is_missing
 :corrected: $i=r+1,r+2,\dots,n$
 :corrected-by: whole_member_is_polar_on_every_span
-:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for $\rho=1,\dots,r$ and $i=\rho+1,\dots,n$: put right, too, the recursion may lack a point although
+:hypothesis: extrapolated_weight_vanishes | $w_i^{[\rho]}(\tau)\ne0$ for $\rho=1,\dots,r$ and $i=\rho+1,\dots,n$: also with the right range of $i$ the recursion may lack a point although
   all weights are positive
-:hypothesis: high_knot_leaves_a_point_undefined | the terms with $t_i=t_{i+k-r}$ are left out: put right, too, (4.1.3) divides by 0 there
+:hypothesis: high_knot_leaves_a_point_undefined | the terms with $t_i=t_{i+k-r}$ are left out: also with the right range of $i$ (4.1.3) divides by 0 there
 :figure: recursion_indices
 
 For $r=1$ it is right; from $r=2$ on $\mathbf r_2^{[2]}$ needs $\mathbf r_1^{[1]}$ and that $\mathbf r_0$, which does
@@ -307,16 +313,17 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
   r_i^{[k-2]}(\tau)\Big/\sum_{i=k-1}^nN_{i,2}(t)w_i^{[k-2]}(\tau)$
 :definition: yes
 :checked-by: whole_member_is_polar_on_every_span legs_are_tangents_of_the_continued_segments
+:confirmed-by: extrapolated_members_keep_positive_weights_inside
 :hypothesis: extrapolated_weight_vanishes | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$
 :hypothesis: extrapolated_member_has_a_pole | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$;
   where for one $\tau$ a weight is 0, for another one it is negative, and the denominator may vanish
 :hypothesis: lower_level_lacks_a_point | no $w_i^{[r]}(\tau)$, $i=r+1,\dots,n$, of the levels $r=1,\dots,k-3$ vanishes there
-:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or the terms with $t_i=t_{i+2}$ are left
-  out: their $N_{i,2}$ is 0
+:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or on every level $r$ the terms with $t_i=t_{i+k-r}$ are left
+  out: their $N_{i,k-r}$ is 0
 :figure: nurbs_polygons
 
 Values at $t_{n+1}$ are limits from the left, see `def-4.1.1-interval`.  That no weight of the level is 0 for any $\tau$ makes positive those whose $N_{i,2}$ is not 0 on the
-domain, each being positive on a span of it, and then no denominator vanishes.
+domain, each being positive on a span of it (`extrapolated_members_keep_positive_weights_inside`), and then no denominator vanishes.
 :::
 
 In the polygon of $\tau$ only one leg belongs to the span of $\tau$.  What are the others?  By the polar form the leg
