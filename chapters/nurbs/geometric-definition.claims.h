@@ -491,9 +491,9 @@ CLAIM(convex_polygon_has_a_stationary_leg)
   curve that touches a varying polygon $\tau$ runs through intervals.
 :reading-with: first_level_condition_factors
 :meant: the words "for every", and the section, by which the envelope is all joint solutions | The first and the
-  second.
+  second together: every $\tau$ has its polygon, and all joint solutions are points of the curve.
 :corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$
-  of the whole square where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
+  of the whole square, $t_k\le t,\tau\le t_{n+1}$, where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
   of $t$, continued to $\tau$, with $w(\tau)\ne0$ there, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
   neighbouring points are on a line
 :corrected-by: legs_are_tangents_of_the_continued_segments quadratic_legs_have_one_envelope first_level_condition_factors
