@@ -174,7 +174,7 @@ CLAIM(zero_power_at_a_knot_of_multiplicity_k)
 :::{statement} wang-ch4:thm-4.4.1-step-2
 :title: The truncated powers replaced by powers
 :zh: 证明第二行:截断幂换成幂
-:printed: \dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
+:printed: N_{i,k}(t)=\dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
   (\tau_\lambda-t)^{k-1-\mu}
 :class: invalid-proof
 :refuted-by: full_powers_sum_to_nothing
@@ -285,8 +285,8 @@ CLAIM(full_powers_sum_to_nothing)
 :::{statement} wang-ch4:thm-4.4.1-step-3
 :title: The powers expanded in u
 :zh: 证明第三行:按 u 展开
-:printed: \dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
-  \sum_{j=0}^{k-\mu-1}\binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j=N_{i,k}(t)
+:printed: N_{i,k}(t)=\dots=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}
+  \sum_{j=0}^{k-\mu-1}\binom{k-1-\mu}j(\tau_\lambda-t_r)^{k-1-\mu-j}(t_r-t_{r+1})^ju^j
 :class: invalid-proof
 :refuted-by: full_powers_sum_to_nothing
 :corrected: the expansion itself is right, term by term, and gives $N_{i,k}$ when only the $\tau_\lambda>t_r$ are summed
@@ -412,12 +412,14 @@ CLAIM(powers_expand_in_the_parameter)
 :::{statement} wang-ch4:thm-4.4.1-step-collect
 :title: The sums exchanged
 :zh: 整理和式
-:printed: collecting the powers of $u$ gives (4.4.11) with (4.4.12)
+:printed: arranging the sums gives (4.4.11)
 :holds-by: summation_limits_agree_in_every_order
 :confirmed-by: summation_orders_agree powers_expand_in_the_parameter
 :hypothesis: full_powers_sum_to_nothing | the condition $\tau_\lambda>t_r$ of (4.4.12), which the second and the third line lack, is
   put back
 :figure: full_powers
+
+The powers of $u$ in the third line are collected; their coefficients are to be the $a_{ji}$ of (4.4.12), of which (4.4.11) is made.
 :::
 
 In the end the powers of $u$ are collected, which exchanges two sums.  The new limits are found by asking for which

@@ -21,7 +21,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :zh: 规范化参数变换
 :printed: u=(t-t_r)/(t_{r+1}-t_r),\quad t_r\le t<t_{r+1}
 :holds-by: span_parameter_is_a_bijection
-:needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span
+:needs: empty_span_has_no_parameter | the line itself: $t_r\le t<t_{r+1}$, which no $t$ satisfies otherwise; and definition 4.4.1, by the word nonempty | the span
   $[t_r,t_{r+1})$ is not empty
 :figure: matrices_of_merging_knots
 :::
@@ -167,7 +167,7 @@ CLAIM(coefficient_matrix_is_affinely_invariant)
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $0\le u<1$ | $t$ lies in the span
 :meant: definition 4.4.1: the NURBS curve (4.1.1), in homogeneous coordinates | The $\mathbf r_i$ are the
   $\tilde{\mathbf r}_i=(w_i\mathbf r_i,w_i)$ of (4.1.1); only the tilde is left out.
-:reading: affine_points_need_the_weights | with the affine points and the affine curve, which (4.1.2) calls so: where the weights
+:reading: affine_points_need_the_weights | with the affine points $\mathbf r_i$ and the affine curve $\mathbf r(t)$, which have these letters in (4.1.2): where the weights
   of the span differ it may be another curve
 :figure: matrix_and_weights
 
@@ -348,6 +348,9 @@ the different knots.  So they settle every multiplicity of the knots around a sp
 :checked-by: compositions_are_all_multiplicities
 :meant: the range $q=1,2,\dots,d(T_i)$ behind it | $l_q(T_i)>0$, where $l_a$ is printed, see `notation-4.4`.
 :figure: matrices_of_merging_knots
+
+For $d(T_i)=1$ the knots are all equal, and $N_{i,k}$ is 0; of the functions of a span that is not empty none has such knots.  In the copy at hand a point stands between the
+indices of $N$, where all other places have a comma.
 :::
 
 :::{statement} wang-ch4:formula-4.4.11
@@ -437,11 +440,11 @@ the sums has room for.
   `thm-4.4.1-step-collect`).
 :confirmed-by: column_by_differences_is_the_function
 :needs: polynomial_of_a_span_ends_with_it | (4.4.11): $t\in[t_r,t_{r+1})$ | $t$ lies in the span
-:needs: full_powers_sum_to_nothing | (4.4.12): the sum has the condition $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
-  summed
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: matrices_of_merging_knots
+
+The condition $\tau_\lambda>t_r$ is a part of the formula: without it the sum is another one, see `thm-4.4.1-step-2`.
 :::
 
 :::{claim} column_by_differences_is_the_function
@@ -481,19 +484,21 @@ CLAIM(column_by_differences_is_the_function)
 
 /*
 :::{statement} wang-ch4:formula-4.4.12
-:title: The limits of the double sum
-:zh: (4.4.12) 的求和上限
-:printed: the sums of (4.4.12) run over $\lambda=1,\ \tau_\lambda>t_r$ to $d(T_i)$ and over $\mu=0$ to $k-1-\max(j,k-l_\lambda)$, for
-  $i=r-k+1,r-k+2,\dots,r$; $j=0,1,\dots,k-1$
+:title: The coefficients as a double sum, and its limits
+:zh: (4.4.12) 系数的二重和及其求和上限
+:printed: a_{ji}=(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{\lambda=1,\ \tau_\lambda>t_r}^{d(T_i)}\
+  \sum_{\mu=0}^{k-1-\max(j,k-l_\lambda)}\alpha_{\lambda\mu}(T_i)\frac{(k-1)!}{j!(k-1-\mu-j)!}(\tau_\lambda-t_r)^{k-1-\mu-j},\quad
+  i=r-k+1,r-k+2,\dots,r;\ j=0,1,\dots,k-1
 :holds-by: printed_double_sum_gives_the_basis
 :argued: every k | Summed over the $\tau_\lambda>t_r$ alone, the lines of the proof are true for every $k$ (`thm-4.4.1-step-1`, `thm-4.4.1-step-2`, `thm-4.4.1-step-expansion`,
   `thm-4.4.1-step-collect`).
 :confirmed-by: summation_orders_agree
-:needs: full_powers_sum_to_nothing | (4.4.12): the sum has the condition $\tau_\lambda>t_r$ | only the $\tau_\lambda>t_r$ are
-  summed
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
+
+The $a_{ji}$ are the coefficients of $N_{i,k}^*(u)$ in (4.4.11).  The condition $\tau_\lambda>t_r$ is a part of the formula: without it the sum is another one, see
+`thm-4.4.1-step-2`.  How the upper limits come about is `thm-4.4.1-step-collect`.
 :::
 
 :::{statement} wang-ch4:thm-4.4.1-curve

@@ -28,8 +28,8 @@ numbers than those of the field beyond $k=4$ through random ones.  The degree th
 :confirmed-by: osculation_is_divisibility
 :figure: osculating_polynomial
 
-With $m-1$ as the last order the number of conditions is the number of nodes.  A $p-q$ that is a multiple of the product of all $t-t_i$ fulfils them, and at no
-node one more, unless the other factor is 0 there (`osculation_is_divisibility`).
+With $m-1$ as the last order the number of conditions is the number of nodes.  A difference $p-q$ that is the product of all $t-t_i$ times a polynomial fulfils them; at a
+node the next derivative, of order $m$, is not 0, unless that polynomial is 0 there (`osculation_is_divisibility`).
 :::
 
 :::{statement} wang-ch4:formula-4.4.4
@@ -69,7 +69,7 @@ derivatives, and the next one does not vanish.  At one node that is an induction
 :given: $f(t)=(t-\tau)^mh(t)$ for a node $\tau$ and a multiplicity $m\ge1$; $m$, $\tau$, $t$, the power $P=(t-\tau)^{m-1}$, $h$ and $h'$ at $t$ variables
 :then: $f'(t)=(t-\tau)^{m-1}h_1(t)$ with $h_1=m\,h+(t-\tau)h'$, and $h_1(\tau)=m\,h(\tau)$
 :method: The product rule with $P'=(m-1)P/(t-\tau)$ against the product.  By induction $f,f',\dots,f^{(m-1)}$ vanish at $\tau$, and $f^{(m)}(\tau)=m!\,h(\tau)$: a difference
-  $p-q$ of polynomials has so many derivatives 0 just when it is divisible by $(t-\tau)^m$.
+  $p-q$ of polynomials has at $\tau$ the derivatives of the orders $0,\dots,m-1$ equal to 0 just when it is divisible by $(t-\tau)^m$.
 :types: field
 :degrees: multiplicity = all
 :over: m t0 x P h#: -
@@ -139,6 +139,8 @@ CLAIM(osculation_is_divisibility)
 :definition: yes
 :checked-by: compositions_are_all_multiplicities
 :figure: osculating_polynomial
+
+In the copy at hand an arrow stands over each group of equal knots; (4.4.10) has braces there.
 :::
 */
 
@@ -149,7 +151,7 @@ CLAIM(osculation_is_divisibility)
 :zh: k+1 的全部有序分拆
 :kind: decision
 :given: every pattern of equal neighbours among $k+1$ ordered nodes
-:then: the groups have positive sizes with the sum $k+1$, and different patterns give different sizes
+:then: the groups have positive sizes with the sum $k+1$, and different patterns give different lists of sizes
 :method: All patterns are listed and their lists of sizes compared two by two.
 :degrees: k = 0..7
 :argued: every k | Whether a node differs from the one before is a choice at each of $k$ places, and the sizes of the groups tell the places.
@@ -300,7 +302,8 @@ CLAIM(system_says_osculation)
 :title: The last row of each node in the matrix
 :zh: 方程组 (4.4.6) 中各节点的末行
 :printed: in the matrix on the left, which begins with the rows $1,\tau_1,\tau_1^2,\dots,\tau_1^k$ and $0,1,2\tau_1,\dots,k\tau_1^{k-1}$, the last row of $\tau_1$ is
-  $0,0,0,\dots,\frac{k!}{(k-l_1-1)!}\tau_1^{k-l_1+1}$, and that of $\tau_d$ is $0,0,0,\dots,\frac{k!}{(k-l_d-1)!}\tau_d^{k-l_d+1}$
+  $0,0,0,\dots,\frac{k!}{(k-l_1-1)!}\tau_1^{k-l_1+1}$; the first row of $\tau_d$ is $1,\tau_d,\tau_d^2,\dots,\tau_d^k$, the last
+  $0,0,0,\dots,\frac{k!}{(k-l_d-1)!}\tau_d^{k-l_d+1}$
 :class: misprint
 :refuted-by: printed_last_row_has_wrong_factor
 :corrected: the last entry is $\frac{k!}{(k-l_i+1)!}\tau_i^{k-l_i+1}$, the derivative of order $l_i-1$ of $t^k$
@@ -322,7 +325,8 @@ factorial below has to be that of the exponent, as in every derivative of a powe
 :title: The printed entry of the last row is not the derivative of t^k
 :zh: 末行末元素的阶乘印错
 :kind: counterexample
-:given: $k$ and a node $\tau_1$ of multiplicity $l_1$, the least for which the last row of $\tau_1$ begins with the zeros that are printed
+:given: a node $\tau_1$ of multiplicity $l_1$, the least for which its last row begins with the three zeros that are printed, and the least $k$ for which the
+  printed factorial is not that of a negative number
 :data: k = 5; l_1 = 4; τ_1 = 1
 :then: the last entry has to be $\frac{k!}{(k-l_1+1)!}\tau_1^{k-l_1+1}$; printed is $\frac{k!}{(k-l_1-1)!}\tau_1^{k-l_1+1}$, which is another number
 :result: printed entry = 120; derivative of t^k = 60
@@ -420,8 +424,8 @@ CLAIM(mixed_column_is_no_system)
 :zh: 合流 Vandermonde 行列式
 :printed: \det H(T;1,t,\dots,t^k)=\prod_{1\le i<j\le d}(\tau_j-\tau_i)^{l_il_j}\prod_{i=1}^d\prod_{j=0}^{l_i-1}j!
 :holds-by: confluent_vandermonde_determinant_is_product derivative_lowers_the_multiplicity_by_one
-:argued: every k | Let $\omega$ be the product of $t-t_i$ over all nodes but one $\tau_d$: $t^k$ and lower powers, so that $\omega$ may stand for $t^k$ in the last column.  Its entries
-  there are 0, but $(l_d-1)!\prod_{i<d}(\tau_d-\tau_i)^{l_i}$ in the last row (`derivative_lowers_the_multiplicity_by_one`).  So the determinant is this times that of one node less, and so
+:argued: every k | Let $\omega$ be the product of $t-t_i$ over all nodes but one $\tau_d$.  It is $t^k$ and lower powers, and may stand for $t^k$ in the last column without a change of the
+  determinant.  The entries there are then 0, but $(l_d-1)!\prod_{i<d}(\tau_d-\tau_i)^{l_i}$ in the last row (`derivative_lowers_the_multiplicity_by_one`).  So the determinant is this times that of one node less, and so
   is the product; for $k=0$ both are 1.
 :figure: confluent_row
 :::
@@ -491,7 +495,7 @@ CLAIM(confluent_vandermonde_determinant_is_product)
   counted by multiplicity: so the $\tau_i$ differ
 :figure: osculating_polynomial
 
-The determinant is a product of factorials and differences, none of them 0.
+The determinant is a product of factorials and differences, none of them 0.  The order that is told is $k$, that of the divided difference.
 :::
 */
 
@@ -592,8 +596,8 @@ What the table does is the same for every order: it makes of two polynomials tha
   $(t-a)F_s+sF_{s-1}$ is $(t-a)F_{s+1}+(s+1)F_s$
 :method: By (3) $(t-a)F$ has the derivatives $(t-a)F_s+sF_{s-1}$: at $a$ one more of them vanishes than of $F$, elsewhere as many.  Let $g_0$ osculate $f$ on
   $t_0,\dots,t_{k-1}$ and $g_1$ on $t_1,\dots,t_k$.  By (1) $g$ osculates $f$ on all, as the factors $t-a$ and $t-b$ make up for the node that is missing, and by (2) its coefficient of
-  $t^k$ is the entry of the table, if $c_0$ and $c_1$ are the two before.  Where all nodes are one, the entry $f^{(k)}/k!$ is the last coefficient of the polynomial of Taylor.  No other
-  polynomial of degree $k$ osculates $f$: the difference of two is divisible by the product of $k+1$ factors (`derivative_lowers_the_multiplicity_by_one`).
+  $t^k$ is the entry of the table, if $c_0$ and $c_1$ are the two before.  Where all nodes are one, the entry $f^{(k)}/k!$ is the leading coefficient of the polynomial of Taylor.  No other
+  polynomial of degree at most $k$ osculates $f$: the difference of two is divisible by the product of $k+1$ factors (`derivative_lowers_the_multiplicity_by_one`).
 :over: t#: different nodes; x f c# r# F# U s: -
 :control: $g_0$ and $g_1$ exchanged in $g$
 :::
@@ -665,7 +669,7 @@ CLAIM(cramers_rule_gives_divided_difference)
 :title: The divided difference as a sum over values and derivatives
 :zh: 引理 4.4.1 差商的显式表示
 :printed: the divided difference of order $k$ of a function $f$ on the knot vector $T$ of (4.4.5) is explicitly
-  $[t_0,t_1,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)$
+  $[t_0,t_1,\dots,t_k]f=\sum_{i=1}^d\sum_{j=0}^{l_i-1}\alpha_{ij}(T)f^{(j)}(\tau_i)$, with the $\alpha_{ij}(T)$ of (4.4.9)
 :holds-by: printed_weights_give_divided_difference
 :argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
   do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
@@ -779,24 +783,27 @@ CLAIM(places_count_the_rows)
 :::{statement} wang-ch4:lemma-4.4.1-step
 :title: From the quotient of determinants to the lemma
 :zh: 引理 4.4.1 的推导
-:printed: expanding the numerator of (4.4.7) by its last column gives the lemma
+:printed: expanding the determinant in the numerator of (4.4.7) by its last column gives lemma 4.4.1
 :holds-by: cramers_rule_gives_divided_difference printed_weights_give_divided_difference confluent_vandermonde_determinant_is_product
 :argued: every order | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
   do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
+
+The order that is told is $k$, that of the divided difference.
 :::
 
 :::{statement} wang-ch4:formula-4.4.9
 :title: The weights as cofactors
 :zh: 系数 α_ij 由代数余子式给出
-:printed: \alpha_{ij}(T)=\beta_{b(i,j)}\Big/\Big(\prod_{1\le u<v\le d}(\tau_v-\tau_u)^{l_ul_v}\prod_{u=1}^d
-  \prod_{v=0}^{l_u-1}v!\Big)
+:printed: $\alpha_{ij}(T)=\beta_{b(i,j)}\Big/\Big(\prod_{1\le u<v\le d}(\tau_v-\tau_u)^{l_ul_v}\prod_{u=1}^d
+  \prod_{v=0}^{l_u-1}v!\Big)$, where $\beta_i$ $(i=0,1,\dots,k)$ is the cofactor of element $i$ of the last column of $H(T;1,t,\dots,t^k)$
 :holds-by: printed_weights_give_divided_difference
-:argued: every order | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
+:argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
   do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
-:needs: counting_from_one_shifts_the_weights | the line below: the $\beta_i$, $i=0,1,\dots,k$ | the elements of the last column
-  are counted from 0; as $i=0,1,\dots,k$ says
+:meant: the words behind the formula: $\beta_i$ $(i=0,1,\dots,k)$ | The elements of the last column are counted from 0.
+:reading: counting_from_one_shifts_the_weights | the elements of the last column are counted from 1, so that $\beta_1$ belongs to the first: then the weights stand at other
+  places
 
-$\beta_i$ is the cofactor of element $i$ of the last column of $H(T;1,t,\dots,t^k)$.  The formula is printed twice.
+The formula for $\alpha_{ij}(T)$ is printed twice.
 :::
 
 :::{claim} counting_from_one_shifts_the_weights
@@ -805,8 +812,8 @@ $\beta_i$ is the cofactor of element $i$ of the last column of $H(T;1,t,\dots,t^
 :kind: counterexample
 :given: $k=1$, two nodes $\tau$ and the values $f$ there
 :data: τ = 0 1; f = 1 0
-:then: with $\beta_1$ read as the first element, and $\beta_0$ as none, the weights have another sum with the values
-  of $f$ than $[\tau_1,\tau_2]f$
+:then: with the cofactor of the first element for $\beta_1$, and 0 for $\beta_0$, which then belongs to no element, the weights have another sum with the
+  values of $f$ than $[\tau_1,\tau_2]f$
 :result: weights = 0 -1; the sum with these weights = 0; the divided difference = -1
 :method: The weights are computed with the places shifted by one.
 :control: the places counted from 0
@@ -838,7 +845,7 @@ CLAIM(counting_from_one_shifts_the_weights)
   do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
 :confirmed-by: places_count_the_rows
 
-The places are the numbers $0,\dots,k$, each once.
+The places are the numbers $0,\dots,k$, each once.  The order that is told is $k$, that of the divided difference.
 :::
 
 :::{statement} wang-ch4:lemma-4.4.1-independent
@@ -850,7 +857,7 @@ The places are the numbers $0,\dots,k$, each once.
 :meant: (4.4.9), whose numbers are the $\alpha_{ij}(T)$ | All $\alpha_{ij}(T)$, of which the indices are printed $ii$, see `notation-4.4`.
 
 Only nodes and multiplicities enter the cofactors, and because the
-values of $f$ are free no other weights do the same.
+values of $f$ are free no other weights give the divided difference of every $f$.  The order that is told is $k$, that of the divided difference.
 :::
 
 That the weights do not depend on $f$ can be read off.  That they are the only ones that serve for all $f$ follows

@@ -484,8 +484,8 @@ CLAIM(convex_polygon_has_a_stationary_leg)
 :::{statement} wang-ch4:def-4.3.1
 :title: The curve as the envelope of its polygons
 :zh: NURBS 曲线的几何定义
-:printed: for every $\tau\in[t_k,t_{n+1}]$ make the polygon $\mathbf r^{[2]}(t,\tau)$; the envelope of these polygons
-  is the NURBS curve of order $k$ of $T$, $\{\mathbf r_i\}$, $\{w_i\}$
+:printed: for every fixed value $t=\tau\in[t_k,t_{n+1}]$ compute the levels; then make the family of the curves $\mathbf r^{[2]}(t,\tau)$ of order 2, the polygons; its
+  envelope is the NURBS curve of order $k$ (degree $k-1$) of $T$, $\{\mathbf r_i\}$, $\{w_i\}$, written (4.1.2)
 :class: missing-hypothesis
 :refuted-by: extrapolated_weight_vanishes convex_polygon_has_a_stationary_leg
 :reading: extrapolated_weight_vanishes | as a construction, for every $\tau$: the polygon of some $\tau$ may not
@@ -493,15 +493,15 @@ CLAIM(convex_polygon_has_a_stationary_leg)
 :reading: convex_polygon_has_a_stationary_leg | the envelope as the set of all joint solutions, which is the notion of
   the section: more than the curve, even for a strictly convex control polygon
 :reading: legs_are_tangents_of_the_continued_segments | the envelope as a curve that touches a varying polygon in each
-  of its points: where the polygons exist it is the curve alone, unless a segment is straight | With $\tau\ne t$
+  of its points: where the polygons exist it is the curve alone, unless a segment is straight or a point | With $\tau\ne t$
   the condition holds for finitely many $\tau$ only, the zeros of $\mathbf r'\times\mathbf r''$ of the continued segments; on a
   curve that touches a varying polygon $\tau$ runs through intervals.
 :reading-with: first_level_condition_factors
 :meant: the words "for every", and the section, by which the envelope is all joint solutions | The first and the
-  second.
+  second together: every $\tau$ has its polygon, and all joint solutions are points of the curve.
 :corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$
-  of the whole square where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
-  of $t$, continued to $\tau$, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
+  of the whole square, $t_k\le t,\tau\le t_{n+1}$, where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
+  of $t$, continued to $\tau$, with $w(\tau)\ne0$ there, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
   neighbouring points are on a line
 :corrected-by: legs_are_tangents_of_the_continued_segments quadratic_legs_have_one_envelope first_level_condition_factors
   divisors_contain_the_span

@@ -115,9 +115,9 @@ CLAIM(elementary_symmetric_is_sum_over_subsets)
 :::{statement} wang-ch4:thm-4.4.2
 :title: Marsden's identity
 :zh: 定理 4.4.2 Marsden 恒等式
-:printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad t\in[t_r,t_{r+1}),\ \text{all }x
-:holds-by: marsden_step_for_every_order
-  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+:printed: suppose $t\in[t_r,t_{r+1})$; then for all $x$ there is $(x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t)$,
+  where $\omega_{i,k}(x)$ is 1 for $k=1$ and $(x-t_{i+1})(x-t_{i+2})\cdots(x-t_{i+k-1})$ for $k>1$
+:holds-by: marsden_step_for_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: marsden_identity marsden_identity_for_every_pattern
 :needs: marsden_identity_ends_with_the_span | the theorem itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
   summed
@@ -333,8 +333,7 @@ CLAIM(marsden_identity_ends_with_the_span)
 :title: The formula of the identity, printed twice
 :zh: 恒等式的公式(印两次)
 :printed: (x-t)^{k-1}=\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t),\quad\text{printed twice}
-:holds-by: marsden_step_for_every_order
-  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+:holds-by: marsden_step_for_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: marsden_identity marsden_identity_up_to_order_eight
 :needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
   summed
@@ -382,18 +381,18 @@ functions is one level of de Boor's algorithm for the coefficients.
 :::{statement} wang-ch4:thm-4.4.2-proof
 :title: The proof needs nothing but the recursion of de Boor
 :zh: 证明只用 deBoor 递推公式
-:printed: [15] proves it by induction; now we give a short new proof, which needs only de Boor's formula (2.1.1)
-:holds-by: marsden_step_for_every_order
-  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+:printed: [15] proves it by induction; now we give a short new proof, which needs only de Boor's formula (2.1.1); moreover the identity will give
+  another explicit representation of the coefficient matrix
+:holds-by: marsden_step_for_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_moves_to_the_coefficients one_level_takes_off_a_factor every_link_of_the_chain
 :meant: (2.1.1) is not at hand; a definition by recursion has a beginning | The recursion together with the functions of order 1: these say, by induction, that
   $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on the span.
 :needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed
-:reading: one_level_needs_the_span | (2.1.1) as the step of the recursion alone, without the interval: the supports are used as well
+:reading: one_level_needs_the_span | (2.1.1) as the step of the recursion alone, which is true for every $t$: then (4.4.15) would be, too; the supports are used as well
 :figure: marsden_identity
 
-That one formula suffices is what is decided.  That the proof is short and new, how [15] proves the identity, and that it is a beautiful result, first used for the convergence of
-an approximation, are history and opinion.
+That one formula suffices is what is decided; the other matrix is that of `thm-4.4.3`.  That the proof is short and new, how [15] proves the identity, and that it is a
+beautiful result, first used for the convergence of an approximation, are history and opinion.
 :::
 
 :::{statement} wang-ch4:thm-4.4.2-order-1
@@ -404,7 +403,7 @@ an approximation, are history and opinion.
 :confirmed-by: marsden_identity_for_every_pattern
 :needs: identity_of_order_one_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose function stands on the right
 
-It reads $(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)$, which is $1=1\cdot1$ on the span, the left side as a power without factors also for $x=t$.  That it is obvious is an opinion.
+It reads $(x-t)^0=\omega_{r,1}(x)N_{r,1}(t)$, which is $1=1\cdot1$ on the span; for $x=t$, too, the power without factors is 1.  That it is obvious is an opinion.
 :::
 
 :::{claim} marsden_identity_of_order_one
@@ -463,14 +462,13 @@ CLAIM(identity_of_order_one_ends_with_the_span)
 :zh: 递推转移到系数
 :printed: for $k>1$, by (2.1.1): $\sum_{i=r-k+1}^rW_i^0N_{i,k}(t)=\sum_{i=r-k+2}^rW_i^1N_{i,k-1}(t)$,
   $W_i^1=\frac{t-t_i}{t_{i+k-1}-t_i}W_i^0+\frac{t_{i+k-1}-t}{t_{i+k-1}-t_i}W_{i-1}^0$
-:holds-by: one_level_in_every_order
-  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+:holds-by: one_level_in_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_moves_to_the_coefficients
 :needs: one_level_needs_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ is in the span: there the functions at the ends,
   $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$, vanish
 :figure: marsden_identity
 
-The denominators that occur are differences of knots on the two sides of the span.
+The $W_i^0$ are any numbers; $W_i^1$ is asked for with $i=r-k+2,\dots,r$, for which $t_i\le t_r<t_{r+1}\le t_{i+k-1}$, so that no denominator is 0.
 :::
 */
 
@@ -559,12 +557,13 @@ CLAIM(one_level_needs_the_span)
 :title: For the coefficients of the identity one level takes off a factor
 :zh: ω 经一层递推降一阶
 :printed: let $W_i^0=\omega_{i\,\iota}(x)$; then $W_i^1=(x-t)\,\omega_{i,k-1}(x)$
-:holds-by: marsden_step_for_every_order one_level_in_every_order
-  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+:holds-by: marsden_step_for_every_order one_level_in_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_takes_off_a_factor
 :needs: empty_span_has_no_level | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | the span is not empty: otherwise a fraction of $W_i^1$ divides by 0
 :meant: (4.4.14), which defines $\omega_{i,k}(x)$ | The second index of the first $\omega$, an iota in print, is the order $k$, see `notation-4.4`.
 :figure: marsden_identity
+
+For $i=r-k+2,\dots,r$, as in (4.4.15).  In the copy at hand a point stands between the indices of the second $\omega$, where all other places have a comma.
 :::
 
 For the products $\omega_{i,k}$ one such step takes $x-t$ out: two neighbouring products have all factors in common
@@ -631,10 +630,10 @@ CLAIM(empty_span_has_no_level)
 :::{statement} wang-ch4:thm-4.4.2-step-chain
 :title: The chain of the proof
 :zh: 逐层递推的等式链
-:printed: \sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t)=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}(x)N_{i,k-1}(t)=\dots=(x-t)^{k-1}\omega_{r,1}(x)
-  N_{r,1}(t)=(x-t)^{k-1}
-:holds-by: marsden_step_for_every_order
-  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+:printed: using (4.4.15) recursively one has
+  $\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t)=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}(x)N_{i,k-1}(t)=\dots=(x-t)^{k-1}\omega_{r,1}(x)
+  N_{r,1}(t)=(x-t)^{k-1}$
+:holds-by: marsden_step_for_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: every_link_of_the_chain
 :needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
   summed
@@ -679,8 +678,7 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :zh: 幂函数由 B 样条基表示
 :printed: suppose $t\in[t_r,t_{r+1})$; comparing the coefficients of the same powers of $x$ on both sides of (4.4.13) gives
   $t^\mu=\frac{(-1)^\mu\mu!}{(k-1)!}\sum_{i=r-k+1}^r\omega_{i,k}^{(k-1-\mu)}(0)\,N_{i,k}(t)$, $\mu=0,1,\dots,k-1$
-:holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
-  outer_functions_are_made_of_outer_ones divisors_contain_the_span
+:holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: powers_of_t_from_derivatives
 :needs: marsden_identity_ends_with_the_span | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed; the
   example is of (4.4.13), and at $x=0$ both of its sides are those of $\mu=1$ with the other sign
