@@ -308,7 +308,6 @@ The equation is true for any $t$ and $\tau$, also for those of the range that is
 :then: the printed equation for the $w_i^{[r]}(\tau)$ and $w_i^{[r]}(t)$ that (4.1.3) makes of them
 :method: (4.1.3) by its letter, once at $\tau$ and once at $t$; everything a variable, so that it does not matter which order, level and index it is.  In the range of $i$ the
   two knots are different: `divisors_contain_the_span`.
-:harmless: $t_i\ne t_{i+k-r}$ | they are on different sides of the span
 :degrees: all
 :over: u#: knots; h#: positive differences of two knots; w# v#: weights
 :control: $t-\tau$ in the place of $\tau-t$ in the first term
