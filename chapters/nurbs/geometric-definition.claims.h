@@ -211,7 +211,7 @@ CLAIM(double_knot_skips_a_leg)
 :printed: \mathbf r(t)=\sum_{i=1}^nN_{i,2}(t)w_i\mathbf r_i\Big/\sum_{i=1}^nN_{i,2}(t)w_i,\quad t_2\le t\le t_{n+1}
 :holds-by: leg_of_every_polygon_is_the_curve_of_order_two outer_functions_are_made_of_outer_ones
 :confirmed-by: polygon_is_the_curve_of_order_two
-:meant: the range $t_2\le t\le t_{n+1}$ is printed closed | At its end the limit from the left, as `def-4.1.1-interval` says once for all
+:meant: the range $t_2\le t\le t_{n+1}$, which is printed closed | At its end the limit from the left, as `def-4.1.1-interval` says once for all
   curves.
 :reading: polygon_end_belongs_to_no_interval | at $t=t_{n+1}=t_{n+2}$ by the letter of the half-open intervals: the sum is
   $0/0$ there, and the polygon lacks $\mathbf r_n$

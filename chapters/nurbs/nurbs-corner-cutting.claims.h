@@ -30,8 +30,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :confirmed-by: printed_insertion_keeps_the_curve
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
-  makes a point without a share
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
 :hypothesis: triangle_with_a_lost_point_runs_back | no knot of $T$ is more than $k$-fold: else (4.1.6) leaves out a point whose B-spline is 0, and the polygon may turn back
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
@@ -437,8 +436,8 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once; else $A(\Gamma_k^{(T)}(T'))$
   need not exist; or $A$ is taken as the hull
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
-  makes a point without a share
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
@@ -635,8 +634,7 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon does not turn back
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | the end of the polygon does not run over its start: not turning back
   is not enough for running through its points once
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
-  makes a point without a share
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
 :hypothesis: triangle_with_a_lost_point_runs_back | no knot of $T$ is more than $k$-fold: else (4.1.6) leaves out a point whose B-spline is 0, and the polygon may turn back
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :argued: straight polygons, every order and every number of points | The triangles and the identities of one insertion are the same for every order and every
@@ -715,8 +713,8 @@ of the same curve over the knots with the new one, with its new weights, and if 
   $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
 :holds-by: steps_of_refinement_compose nothing_inserted_changes_nothing
 :confirmed-by: knots_are_inserted_in_any_order
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
-  makes a point without a share
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, by which such a polygon has the order as its index | The polygon $\Gamma_k^{(T\oplus T')}(\Phi)$, of which the $k$ is left out,
   see `notation-order`.
@@ -803,8 +801,8 @@ CLAIM(knots_are_inserted_in_any_order)
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6), where one equal knot more, in $T$ or inserted,
-  makes a point without a share
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed

@@ -408,7 +408,8 @@ change can arise.
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | a piece of the polygon on the line counts as one intersection: however many edges it has, and not as
   infinitely many points
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6); one equal knot more, in $T$ or inserted, makes a point without a share
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
 :reading: averages_between_neighbours_keep_sign_changes | the step for crossings: a mean put between two neighbours, and a number left out
@@ -783,17 +784,15 @@ CLAIM(crossing_becomes_a_vertex_between_edges)
 :::{statement} wang-ch4:thm-4.2.2-step-vertices
 :title: Points of intersection become vertices
 :zh: 交点成为顶点
-:printed: with $T'=\{t_1'\}^{k-1}\oplus\{t_2'\}^{k-1}\oplus\cdots\oplus\{t_{N+1}'\}^{k-1}$ by (4.1.9) every point of intersection
-  $\boldsymbol r_k(t_i')$ is a vertex of $\Gamma_k^{(T)}(T')$, $i=1,2,\dots,N+1$
+:printed: with $T'=\{t_1'\}^{k-1}\oplus\{t_2'\}^{k-1}\oplus\cdots\oplus\{t_{N+1}'\}^{k-1}$ by (4.1.9) every point of intersection $\boldsymbol r_k(t_i')$ is a vertex of $\Gamma_k^{(T)}(T')$, $i=1,2,\dots,N+1$
 :holds-by: inserted_parameters_become_vertices
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6); one equal knot more, in $T$ or inserted, makes a point without a share
-:reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$, or $t_1=t_k$: then $r(t'_i)$ is a vertex, too,
-  though not the one with the index of (4.1.9)
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
+:reading: right_value_with_the_other_interval | $t'_i$ is a knot of multiplicity $k$, or $t_1=t_k$: then $r(t'_i)$ is a vertex, too, though not the one with the index of (4.1.9)
 :needs: negative_weight_loses_a_vertex_beside_the_common_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise another vertex may not exist
 :figure: points_of_the_line_as_vertices
 
-In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index
-$\mu_i+(i-1)(k-1)$.  At a $k$-fold right end the point of the curve is $r_n$, and nothing need be inserted.
+In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing order, has the index $\mu_i+(i-1)(k-1)$.  At a $k$-fold right end the point of the curve is $r_n$, and nothing need be inserted.
 :::
 
 :::{statement} wang-ch4:thm-4.2.2-step-meet
@@ -804,7 +803,8 @@ $\mu_i+(i-1)(k-1)$.  At a $k$-fold right end the point of the curve is $r_n$, an
 :holds-by: inserted_parameters_become_vertices
 :confirmed-by: polygon_through_the_crossings_crosses_as_often
 :hypothesis: crossing_becomes_a_vertex_between_edges | an edge on the line counts: the vertices may be ends of such edges
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6); one equal knot more, in $T$ or inserted, makes a point without a share
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :needs: negative_weight_loses_a_vertex_beside_the_common_point | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise another vertex may not exist
 :argued: | The points are common points of the line and of the polygon, being vertices.  Two of them that belong to different intersections are not joined by edges on the
   line: the curve between is a mean of the vertices from one to the other, and would be on the line with them.
@@ -825,7 +825,8 @@ $\mu_i+(i-1)(k-1)$.  At a $k$-fold right end the point of the curve is $r_n$, an
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
 :hypothesis: cut_corner_lies_on_the_line | a piece of the polygon on the line counts as one intersection: however many edges it has
-:hypothesis: knot_at_a_k_fold_end_has_no_shares | $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ when $t_1=t_k$, and $t_{n+k}$ is at most $k$-fold: for (4.1.6); one equal knot more, in $T$ or inserted, makes a point without a share
+:hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :figure: what_must_be_counted
 :::
 
