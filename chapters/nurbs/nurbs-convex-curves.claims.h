@@ -324,7 +324,7 @@ another.
 :zh: 凸包之交
 :printed: for the sequence of corollary 4.1.1, by lemma 4.2.1: $A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^mA(\Gamma_k^{(T)}(T_i'))$
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose weights_of_both_steps_are_positive knots_above_k_fold_repeat_new_points
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
@@ -346,7 +346,7 @@ The knots of corollary 4.1.1 may be taken in $(t_1,t_{n+k})$, where (4.1.6) give
 :refuted-by: hulls_of_unrelated_knots_are_not_nested
 :corrected: $T'_{i+1}\supseteq T'_i$, and the $A(\Gamma_k^{(T)}(T'_i))$ decrease, for knots in $(t_1,t_{n+k})$, a $t_{n+k}$ that is at most $k$-fold, and a polygon that runs through its points once, or with the hulls for the $A$
 :corrected-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose weights_of_both_steps_are_positive knots_above_k_fold_repeat_new_points
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it: the identities of one insertion have the
   knots as variables, and hold for equal ones, too, where they divide by no 0; where a knot is more than $k$-fold, points without a share are left out.
@@ -361,7 +361,7 @@ corollary 4.1.1 is that of the $T'_m$.
 :zh: 凸包的极限
 :printed: hence $A\equiv\lim_{m\to\infty}A(\Gamma_k^{(T)}(T_m'))=\bigcap_{i=1}^{+\infty}A(\Gamma_k^{(T)}(T_i'))$ is a closed convex set, too
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose weights_of_both_steps_are_positive knots_above_k_fold_repeat_new_points
 :confirmed-by: inserted_polygons_stay_convex
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$

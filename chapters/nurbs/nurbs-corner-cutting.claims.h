@@ -25,7 +25,7 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
   finite set $T'$ of knots $\Gamma_k^{(T)}(T')$ is a convex curve, too, and $A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))$
 :holds-by: insertion_turns_like_its_triangles triangles_of_one_sign_make_a_polygon_convex
   insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares knots_outside_the_domain_cut_corners
-  inserted_points_divide_the_edges clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose
+  inserted_points_divide_the_edges clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose weights_of_both_steps_are_positive
   knots_above_k_fold_repeat_new_points
 :confirmed-by: printed_insertion_keeps_the_curve
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
@@ -432,7 +432,7 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :zh: 凸包递减
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose weights_of_both_steps_are_positive knots_above_k_fold_repeat_new_points
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once; else $A(\Gamma_k^{(T)}(T'))$
   need not exist; or $A$ is taken as the hull
@@ -711,7 +711,7 @@ of the same curve over the knots with the new one, with its new weights, and if 
 :zh: 归纳步
 :printed: for $T'=\{\tau_1,\tau_2,\dots,\tau_{m-1}\}$ and $T''=T'\oplus\{\tau_m\}$: $\Gamma_k^{(T)}(T'')=\Gamma_k^{(T\oplus T')}(\{\tau_m\})$, and
   $\Gamma^{(T\oplus T')}(\Phi)=\Gamma_k^{(T)}(T')$
-:holds-by: steps_of_refinement_compose nothing_inserted_changes_nothing
+:holds-by: steps_of_refinement_compose weights_of_both_steps_are_positive nothing_inserted_changes_nothing
 :confirmed-by: knots_are_inserted_in_any_order
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
 :hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
@@ -797,7 +797,7 @@ CLAIM(knots_are_inserted_in_any_order)
 :zh: 凸包包含链
 :printed: A(\Gamma_k^{(T)}(\Phi))\supseteq A(\Gamma_k^{(T)}(T'))\supseteq A(\Gamma_k^{(T)}(T''))
 :holds-by: inserted_points_divide_the_edges insertion_ratios_are_between_zero_and_one printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose weights_of_both_steps_are_positive knots_above_k_fold_repeat_new_points
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive

@@ -402,7 +402,7 @@ change can arise.
   the plane $I(\Gamma_k^{(T)}(\Phi),\boldsymbol L)\ge I(\Gamma_k^{(T)}(T'),\boldsymbol L)$
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
-  knots_outside_the_domain_cut_corners clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
+  knots_outside_the_domain_cut_corners clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose weights_of_both_steps_are_positive knots_above_k_fold_repeat_new_points
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon, not as points
   of the plane
 :hypothesis: edge_on_the_line_must_be_counted | an edge on the line counts
@@ -817,7 +817,7 @@ In (4.1.9) the index is $\mu$; of several parameters the $i$-th, in increasing o
 :printed: but by lemma 4.2.2 $I(\Gamma_k^{(T)}(T'),\boldsymbol L_0)\le N$, a contradiction
 :holds-by: averages_between_neighbours_keep_sign_changes cut_corners_meet_a_line_no_more
   insertion_ratios_are_between_zero_and_one inserted_points_divide_the_edges printed_factors_are_the_discrete_shares
-  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose knots_above_k_fold_repeat_new_points
+  clamped_start_inserted_again_repeats_the_first_point steps_of_refinement_compose weights_of_both_steps_are_positive knots_above_k_fold_repeat_new_points
 :argued: every order and every number of points and knots | As for lemma 4.2.2: one knot after the other, by (4.1.7), and each insertion puts a point on each
   of some edges and takes the old vertices away, and those without a share where a knot is more than $k$-fold.
 :hypothesis: self_crossing_polygon_gains_points_on_a_line | intersections are counted along the polygon; for points of the plane
