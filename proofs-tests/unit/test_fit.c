@@ -202,7 +202,7 @@ static void the_model_has_the_second_derivatives(void **state)
             if (low) {
                 for (int a = 0; a < n; a++)
                     x[a] = p.unknown[a].is_weight ? -0.75 : x[a];
-                fit_objective_evaluate(f, x, 1);
+                fit_objective_evaluate(f, x, FIT_ROWS);
                 fit_objective_accept(f);
             }
             for (int a = 0; a < n; a++)
@@ -215,7 +215,7 @@ static void the_model_has_the_second_derivatives(void **state)
             for (int a = 0; a < n; a++) {
                 for (int side = 0; side < 2; side++) {
                     x[a] = f->x[a] + (side ? h : -h);
-                    fit_objective_evaluate(f, x, 1);
+                    fit_objective_evaluate(f, x, FIT_ROWS);
                     for (int b = 0; b < n; b++)
                         slope[side][b] = fit_objective_gradient(f, b);
                 }
@@ -292,7 +292,7 @@ static void order_is_kept_for_the_sake_of_what_is_known_best(void **state)
     }
 }
 
-/* Points in vectors of every width that the processor has: the same numbers; and one by one: the same but for rounding.  On short
+/* Points in vectors of every width that the processor has: the same numbers, with rows or without; and one by one: the same but for rounding.  On short
  * domains, too, with feet that are taken from Taylor's polynomial, and on a curve that bends so little that only the length of a step can
  * say whether it is the last. */
 static void vectors_of_any_width_give_the_same(void **state)
@@ -345,6 +345,9 @@ static void vectors_of_any_width_give_the_same(void **state)
             for (size_t i = 0; i < N; i++)
                 number[w][triangle + n * n + i] = f->feet[i] / length;
             number[w][all - 1] = f->cost;
+            assert_true(fit_objective_cost(f, c, feet) == number[w][all - 1]); /* without rows the same cost and feet */
+            for (size_t i = 0; i < N; i++)
+                assert_true(f->feet[i] / length == number[w][triangle + n * n + i]);
             for (size_t i = 0; w > 0 && i < all; i++, compared++)
                 if (widths[w] > 0)
                     assert_true(number[w][i] == number[0][i]);
