@@ -24,7 +24,7 @@ may meet none of them.
 :title: Through n+1 data at the parameters 0, 1, ..., n passes one curve of degree n or less
 :zh: n+1 个型值点唯一确定不超过 n 次的插值曲线
 :given: data $p_0,\dots,p_n$, any numbers
-:then: $P(t)=\sum_k\binom tk\Delta^kp_0$ has $P(i)=p_i$; and the data of any curve of degree $n$ give that curve back, so there is no other
+:then: $P(t)=\sum_k\binom tk\Delta^kp_0$ has $P(i)=p_i$; and the data of any curve of degree $n$ or less give that curve back, so there is no other
 :method: The differences of the data by $n$ passes of subtraction, $\binom tk=\frac{t(t-1)\cdots(t-k+1)}{k!}$; at the $n+1$ places, and at a
   variable $t$ for the values of a curve with variable coefficients.
 :degrees: 1..6 sampled 10
@@ -88,8 +88,7 @@ needs one thing that interpolation does without, a measure of the distance from 
 :printed: Approximation does not require that the curve or surface passes through all data strictly, but only that the curve found is nearest
   to them as a whole.
 :checked-by: nearest_line_meets_no_datum
-:example: nearest is read as the least sum of squares; for one set of data the nearest line passes through none of
-  them.
+:example: of all straight lines the nearest one to three data, for which the sum of the squares of the upright distances is least, passes through none of them.
 :figure: through_and_near
 :::
 
@@ -115,7 +114,7 @@ The plainest description needs neither: a curve can be kept as many points, join
 :printed: In geometric design curves and surfaces can be represented by point sets, and a curve be approximated by a polyline of small
   pieces.  The disadvantages: it takes much memory, is mathematically inconvenient, and the shape is not easily controlled.
 :reading: polyline_of_a_parabola_needs_many_points | it takes much memory: a polyline with its corners on a parabola needs the more pieces
-  the less it may err, and three coefficients keep the parabola exactly
+  the less it may err, $N$ pieces on $y=x^2$ over $[0,1]$ err by $\frac1{4N^2}$ at least, and three coefficients keep the parabola exactly
 :reading: how much is much, what is inconvenient and what not easy: opinions, which no computation decides
 :figure: through_and_near
 :::
@@ -129,7 +128,8 @@ The plainest description needs neither: a curve can be kept as many points, join
   $(N+1)h$ by $g+d$; so of $N$ pieces over $[0,1]$ one is not shorter than $\frac1N$, and the error is at least $\frac1{4N^2}$, and no more when all have one
   length
 :method: Identities, everything a variable; the pieces by induction, $h$ being the length of the longest, so that no $d$ is negative.
-:over: a; h; s; N; g d: -
+:scope: every number of pieces
+:over: a h s N g d: -
 :control: the chord from $a$ to $a+2h$
 :::
 */
@@ -153,7 +153,7 @@ CLAIM(polyline_of_a_parabola_needs_many_points)
 :title: The line nearest to three data meets none of them
 :zh: 最小二乘直线不过型值点
 :kind: decision
-:given: the data $p_t$ at $t=0,1,2$; the level line of height $a$, and all lines $a+\alpha+\beta t$
+:given: the data $p_t$ at $t=0,1,2$; the level line of height $a$, and all lines $a+\alpha+\beta t$; distances measured upright, $|a+\alpha+\beta t-p_t|$
 :data: p = 0 1 0; a = 1/3
 :instead: a = 1/2
 :then: the sum of the squares of the distances is $m+q_0\alpha^2+q_1\alpha\beta+q_2\beta^2$, where the form with the coefficients $q$ is
