@@ -16,7 +16,8 @@ may meet none of them.
 :definition: yes
 :printed: To construct a function that passes through the given data one after the other is called interpolation; the curve passes through
   all of them strictly.
-:checked-by: one_cubic_passes_through_four_data
+:checked-by: newton_sum_of_every_degree_interpolates
+:confirmed-by: one_cubic_passes_through_four_data
 :figure: through_and_near
 :::
 
@@ -73,6 +74,34 @@ CLAIM(one_cubic_passes_through_four_data)
         d[i] = G(power_sum)(n, 1, c, 0, from_int(i));
     G(differences_of_data)(n, d);
     same(T, G(newton_sum)(n, d, t), G(power_sum)(n, 1, c, 0, t));
+}
+
+/*
+:::{claim} newton_sum_of_every_degree_interpolates
+:title: Through n+1 data at the parameters 0, 1, ..., n passes one curve of degree n or less, for every n
+:zh: n+1 个型值点唯一确定不超过 n 次的插值曲线(任意 n)
+:given: $b=\binom t{k-1}$, so that $\binom tk=b\,\frac{t-k+1}k$ and $\binom{t+1}k=b\,\frac{t+1}k$, any $t$ and integer $k\ge1$
+:then: (1) $\binom{t+1}k-\binom tk=\binom t{k-1}$; (2) $t\binom t{k-1}=k\binom tk+(k-1)\binom t{k-1}$; (3) $\binom tk=0$ at $t=0$
+:method: With $t$, $k$ and $b$ variables; (3) for $k=1$, where $b=1$, and then every further one has the one before as a factor.  By (1) the step
+  $P(t+1)-P(t)$ of $P(t)=\sum_{k=0}^nd_k\binom tk$ is $\sum_{k=1}^nd_k\binom t{k-1}$, and by (3) $P(0)=d_0$.  So the $k$-th difference at 0 is $d_k$, and
+  with $d_k=\Delta^kp_0$ the values at $0,1,\dots,n$, which these differences determine by addition, are the data.  By (2) and
+  induction every polynomial of degree $n$ or less is such a sum, and so the one with these $d_k$.
+:degrees: all
+:over: t; k b: -
+:control: $\binom{t+1}k$ taken as $b\,\frac tk$
+:::
+*/
+CLAIM(newton_sum_of_every_degree_interpolates)
+{
+    num t = parameter(T, "t"), b = unknown(T, "b", ALONE), k = whole(T, "k", 1, 20), one = from_int(1);
+    num before = sub(k, one), next = mul(b, div(sub(t, before), k));
+    num later = mul(b, div(fault(T, add(t, one), t), k));
+    about(T, "the difference of a binomial coefficient");
+    same(T, sub(later, next), b);
+    about(T, "the product with t");
+    same(T, mul(t, b), add(mul(k, next), mul(before, b)));
+    about(T, "the first of them at 0");
+    vanishes(T, G(binomial_of)(from_int(0), 1));
 }
 
 /*
