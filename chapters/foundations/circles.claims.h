@@ -251,7 +251,7 @@ CLAIM(rational_step_has_no_angle)
 :zh: 一阶近似
 :types: field
 :given: the matrix of (1-3-2), any point $(x,y)$ and any $e$; and the rotation by $\Delta\theta=2\arctan a$, so that
-  $\frac{d}{da}\Delta\theta=\frac2{1+a^2}$
+  $\frac{d\Delta\theta}{da}=\frac2{1+a^2}$
 :then: with 1 and $e$ in the place of cosine and sine the row $(x,y)$ times the matrix is $(x-ey,\,ex+y)$, the printed step with $\Delta\theta=e$; at $a=0$ the
   rotation matrix is 1 and its derivative with respect to $\Delta\theta$ is that of the step, $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
 :method: The product with everything a variable; the matrix as a rational function of $a$, differentiated in the field; chain rule.

@@ -396,7 +396,7 @@ CLAIM(new_coordinates_are_a_translation)
 :::{statement} hu-1987:1-2-example-new-ends
 :title: In the new coordinates the curve still begins and ends at the points
 :zh: 新坐标系中曲线仍过两端点
-:printed: $P^*(t)=A_0(t)P_0^*+A_1(t)P_1^*$ passes through $P_0^*$ for $t=0$ and through $P_1^*$ for $t=1$.
+:printed: With $A_0(t)=(1-t)^3$, $A_1(t)=t^3$ the curve $P^*(t)=A_0(t)P_0^*+A_1(t)P_1^*$ passes through $P_0^*$ for $t=0$ and through $P_1^*$ for $t=1$.
 :holds-by: two_cubes_begin_and_end_at_their_points
 :figure: two_cubes_and_their_image
 :::
@@ -618,7 +618,7 @@ the points whatever the functions are: that is the associative law of the produc
   such a one is a matrix.  About another point it contains a translation.
 :figure: rotations_of_the_example
 
-The first claim has $P^*(t)=P(t)\,T$, the second that the shape is kept: no length, no angle and no volume between points changes.
+The first step has $P^*(t)=P(t)\,T$, the second that the shape is kept: no length, no angle and no volume between points changes.
 :::
 
 :::{claim} rotations_keep_products
