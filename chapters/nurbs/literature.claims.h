@@ -375,6 +375,8 @@ CLAIM(volumes_follow_the_years)
 :refuted-by: volume_of_the_survey_breaks_the_rule
 :corrected: volume 11: the volume of this journal is the year less 1980, as for references 4 and 8
 :corrected-by: volumes_follow_the_years
+
+The journal is IEEE Computer Graphics and Applications, see `references-cited`.
 :::
 
 :::{claim} volume_of_the_survey_breaks_the_rule

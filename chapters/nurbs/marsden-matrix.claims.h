@@ -508,7 +508,7 @@ CLAIM(empty_span_makes_g_singular)
 :printed: by the linear independence of the basis functions $\det\mathbf G_{r,k,T}\ne0$
 :holds-by: singular_g_makes_powers_dependent marsden_step_for_every_order coefficients_of_marsden_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
-:argued: every k | (4.4.21) is true for every $k$.  Applied to a vector $c$ it is $\sum c_\mu t^\mu=\sum_i(\mathbf G^Tc)_iN_{i,k}(t)$; so
+:argued: every k and every pattern of knots | (4.4.21) is true for every $k$ and every pattern of knots.  Applied to a vector $c$ it is $\sum c_\mu t^\mu=\sum_i(\mathbf G^Tc)_iN_{i,k}(t)$; so
   $\mathbf G^Tc=0$ makes the polynomial vanish on the span, and $c=0$, since the powers are independent.
 :meant: (4.4.21), of which the line is said and which has a basis on either side; the powers are called a basis (幂基) in definition 4.4.1 | The basis functions are those of
   (4.4.21), the powers with the B-splines.
