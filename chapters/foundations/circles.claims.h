@@ -20,7 +20,8 @@ sections of their own.
 :::{statement} hu-1987:1-3-1
 :title: One step of a rotation
 :zh: 逆时针旋转一步
-:printed: $x_{n+1}=r\cos(\theta+\Delta\theta)=r\cos\theta\cos\Delta\theta-r\sin\theta\sin\Delta\theta=x_n\cos\Delta\theta-y_n\sin\Delta\theta$,
+:printed: For a point $P_n=(x_n,y_n)$ of the circle of radius $r$, which an anticlockwise turn by $\Delta\theta$ takes to $P_{n+1}=(x_{n+1},y_{n+1})$:
+  $x_{n+1}=r\cos(\theta+\Delta\theta)=r\cos\theta\cos\Delta\theta-r\sin\theta\sin\Delta\theta=x_n\cos\Delta\theta-y_n\sin\Delta\theta$,
   $y_{n+1}=r\sin(\theta+\Delta\theta)=r\sin\theta\cos\Delta\theta+r\cos\theta\sin\Delta\theta=y_n\cos\Delta\theta+x_n\sin\Delta\theta$
 :holds-by: rotation_matrix_adds_the_angle
 :figure: three_generators
@@ -68,11 +69,12 @@ apart; neither depends on where the point began.
 :::{statement} hu-1987:1-3-equal-angles
 :title: The first way computes points at equal angles on the circle
 :zh: 圆周上等角度分布的点
-:printed: By this method a sequence of points on the circle can be computed that are distributed at equal angles.
+:printed: With a $\Delta\theta$ of suitable size a sequence of points on the circle can be computed by this method, each from the one before, that are distributed at
+  equal angles.
 :holds-by: rotated_points_are_equally_spaced
 :confirmed-by: rotation_matrix_adds_the_angle
 :needs: centre_is_never_turned | the words above (1-3-1), a point of the circle of radius $r$ | $P_0\ne(0,0)$
-:needs: angle_zero_turns_no_point | the words before it, an angle of suitable size (适当大小的 $\Delta\theta$) | $\Delta\theta$ is no
+:needs: angle_zero_turns_no_point | the words of suitable size (适当大小的 $\Delta\theta$) | $\Delta\theta$ is no
   multiple of $2\pi$
 :figure: three_generators
 :::
@@ -234,7 +236,7 @@ CLAIM(rational_step_has_no_angle)
 :title: For a small angle the cosine is taken as 1 and the sine as the angle
 :zh: 小角度近似
 :printed: $\Delta\theta$ is small; with $\cos\Delta\theta=1$, $\sin\Delta\theta=\Delta\theta$ approximately, (1-3-1) becomes
-  $x_{n+1}=x_n-\Delta\theta\,y_n$, $y_{n+1}=\Delta\theta\,x_n+y_n$.
+  $x_{n+1}=x_n-\Delta\theta\,y_n$, $y_{n+1}=\Delta\theta\,x_n+y_n$ (1-3-3).
 :holds-by: small_step_is_the_rotation_to_first_order
 :meant: the word approximately (近似地) | To first order in the angle.
 :figure: three_generators
@@ -249,7 +251,7 @@ CLAIM(rational_step_has_no_angle)
 :zh: 一阶近似
 :types: field
 :given: the matrix of (1-3-2), any point $(x,y)$ and any $e$; and the rotation by $\Delta\theta=2\arctan a$, so that
-  $\frac{d}{da}\Delta\theta=\frac2{1+a^2}$
+  $\frac{d\Delta\theta}{da}=\frac2{1+a^2}$
 :then: with 1 and $e$ in the place of cosine and sine the row $(x,y)$ times the matrix is $(x-ey,\,ex+y)$, the printed step with $\Delta\theta=e$; at $a=0$ the
   rotation matrix is 1 and its derivative with respect to $\Delta\theta$ is that of the step, $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
 :method: The product with everything a variable; the matrix as a rational function of $a$, differentiated in the field; chain rule.
@@ -330,8 +332,8 @@ treated alike in its four quadrants.
 :printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or
   arcs are generated at high speed.
 :holds-by: exact_steps_need_m_more_bits_each
-:meant: the words before it, by shifts (通过移位运算) | High speed is: with shifts in the place of products.  The circles or
-  arcs are the points of (1-3-4).
+:meant: the words by shifts (通过移位运算), and those on the circle that follow, which is not closed | High speed is: with shifts in the place of products.
+  The circles or arcs are the points of (1-3-4), as the source calls them.
 :hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out: in $n$ steps the last bit of the
   point that is not 0 goes down by $nm$ places.
 :confirmed-by: short_coordinates_never_move
@@ -453,8 +455,8 @@ a geometric progression.
 :needs: centre_is_never_left | the words above (1-3-1), a point of the circle of radius $r$ | $P_0\ne(0,0)$
 :figure: radius_of_the_first_way
 
-It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^n\,|P_0|$, exactly.  With $\varepsilon=\frac1{16}$ a turn takes about a hundred steps, and the
-radius at its end is between two bounds: `turn_of_small_steps_gains_a_fifth`.
+It is more than a tendency: $|P_n|=\sqrt{1+\varepsilon^2}^n\,|P_0|$, exactly.  With $\varepsilon=\frac1{16}$ a turn takes a hundred steps and a part of one, and the
+radius at its end is between $\frac65$ and $\frac54$ of the first one: `turn_of_small_steps_gains_a_fifth`.
 :::
 
 :::{claim} small_steps_multiply_the_radius

@@ -16,7 +16,8 @@ may meet none of them.
 :definition: yes
 :printed: To construct a function that passes through the given data one after the other is called interpolation; the curve passes through
   all of them strictly.
-:checked-by: one_cubic_passes_through_four_data
+:checked-by: newton_sum_of_every_degree_interpolates
+:confirmed-by: one_cubic_passes_through_four_data
 :figure: through_and_near
 :::
 
@@ -24,7 +25,7 @@ may meet none of them.
 :title: Through n+1 data at the parameters 0, 1, ..., n passes one curve of degree n or less
 :zh: n+1 个型值点唯一确定不超过 n 次的插值曲线
 :given: data $p_0,\dots,p_n$, any numbers
-:then: $P(t)=\sum_k\binom tk\Delta^kp_0$ has $P(i)=p_i$; and the data of any curve of degree $n$ give that curve back, so there is no other
+:then: $P(t)=\sum_k\binom tk\Delta^kp_0$ has $P(i)=p_i$; and the data of any curve of degree $n$ or less give that curve back, so there is no other
 :method: The differences of the data by $n$ passes of subtraction, $\binom tk=\frac{t(t-1)\cdots(t-k+1)}{k!}$; at the $n+1$ places, and at a
   variable $t$ for the values of a curve with variable coefficients.
 :degrees: 1..6 sampled 10
@@ -76,6 +77,34 @@ CLAIM(one_cubic_passes_through_four_data)
 }
 
 /*
+:::{claim} newton_sum_of_every_degree_interpolates
+:title: Through n+1 data at the parameters 0, 1, ..., n passes one curve of degree n or less, for every n
+:zh: n+1 个型值点唯一确定不超过 n 次的插值曲线(任意 n)
+:given: $b=\binom t{k-1}$, so that $\binom tk=b\,\frac{t-k+1}k$ and $\binom{t+1}k=b\,\frac{t+1}k$, any $t$ and integer $k\ge1$
+:then: (1) $\binom{t+1}k-\binom tk=\binom t{k-1}$; (2) $t\binom t{k-1}=k\binom tk+(k-1)\binom t{k-1}$; (3) $\binom tk=0$ at $t=0$
+:method: With $t$, $k$ and $b$ variables; (3) for $k=1$, where $b=1$, and then every further one has the one before as a factor.  By (1) the step
+  $P(t+1)-P(t)$ of $P(t)=\sum_{k=0}^nd_k\binom tk$ is $\sum_{k=1}^nd_k\binom t{k-1}$, and by (3) $P(0)=d_0$.  So the $k$-th difference at 0 is $d_k$, and
+  with $d_k=\Delta^kp_0$ the values at $0,1,\dots,n$, which these differences determine by addition, are the data.  By (2) and
+  induction every polynomial of degree $n$ or less is such a sum, and so the one with these $d_k$.
+:degrees: all
+:over: t; k b: -
+:control: $\binom{t+1}k$ taken as $b\,\frac tk$
+:::
+*/
+CLAIM(newton_sum_of_every_degree_interpolates)
+{
+    num t = parameter(T, "t"), b = unknown(T, "b", ALONE), k = whole(T, "k", 1, 20), one = from_int(1);
+    num before = sub(k, one), next = mul(b, div(sub(t, before), k));
+    num later = mul(b, div(fault(T, add(t, one), t), k));
+    about(T, "the difference of a binomial coefficient");
+    same(T, sub(later, next), b);
+    about(T, "the product with t");
+    same(T, mul(t, b), add(mul(k, next), mul(before, b)));
+    about(T, "the first of them at 0");
+    vanishes(T, G(binomial_of)(from_int(0), 1));
+}
+
+/*
 A table of data determines the curve of degree $n$ through it, and nothing remains to be chosen.  That is the strength
 of interpolation (插值) and its weakness: an error of one datum is followed as faithfully as the others, and each further
 datum raises the degree.  The other requirement, approximation (逼近), leaves the degree alone and gives up the data.  It
@@ -88,8 +117,7 @@ needs one thing that interpolation does without, a measure of the distance from 
 :printed: Approximation does not require that the curve or surface passes through all data strictly, but only that the curve found is nearest
   to them as a whole.
 :checked-by: nearest_line_meets_no_datum
-:example: nearest is read as the least sum of squares; for one set of data the nearest line passes through none of
-  them.
+:example: of all straight lines the nearest one to three data, for which the sum of the squares of the upright distances is least, passes through none of them.
 :figure: through_and_near
 :::
 
@@ -115,7 +143,7 @@ The plainest description needs neither: a curve can be kept as many points, join
 :printed: In geometric design curves and surfaces can be represented by point sets, and a curve be approximated by a polyline of small
   pieces.  The disadvantages: it takes much memory, is mathematically inconvenient, and the shape is not easily controlled.
 :reading: polyline_of_a_parabola_needs_many_points | it takes much memory: a polyline with its corners on a parabola needs the more pieces
-  the less it may err, and three coefficients keep the parabola exactly
+  the less it may err, $N$ pieces on $y=x^2$ over $[0,1]$ err by $\frac1{4N^2}$ at least, and three coefficients keep the parabola exactly
 :reading: how much is much, what is inconvenient and what not easy: opinions, which no computation decides
 :figure: through_and_near
 :::
@@ -129,7 +157,8 @@ The plainest description needs neither: a curve can be kept as many points, join
   $(N+1)h$ by $g+d$; so of $N$ pieces over $[0,1]$ one is not shorter than $\frac1N$, and the error is at least $\frac1{4N^2}$, and no more when all have one
   length
 :method: Identities, everything a variable; the pieces by induction, $h$ being the length of the longest, so that no $d$ is negative.
-:over: a; h; s; N; g d: -
+:scope: every number of pieces
+:over: a h s N g d: -
 :control: the chord from $a$ to $a+2h$
 :::
 */
@@ -153,7 +182,7 @@ CLAIM(polyline_of_a_parabola_needs_many_points)
 :title: The line nearest to three data meets none of them
 :zh: 最小二乘直线不过型值点
 :kind: decision
-:given: the data $p_t$ at $t=0,1,2$; the level line of height $a$, and all lines $a+\alpha+\beta t$
+:given: the data $p_t$ at $t=0,1,2$; the level line of height $a$, and all lines $a+\alpha+\beta t$; distances measured upright, $|a+\alpha+\beta t-p_t|$
 :data: p = 0 1 0; a = 1/3
 :instead: a = 1/2
 :then: the sum of the squares of the distances is $m+q_0\alpha^2+q_1\alpha\beta+q_2\beta^2$, where the form with the coefficients $q$ is

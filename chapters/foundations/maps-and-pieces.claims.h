@@ -75,10 +75,11 @@ denominator with it as a weight.
 :title: Parametric curves are easily mapped by affine and projective maps
 :zh: 参数曲线易于作仿射与射影变换
 :printed: Geometric transformations of parametric curves, such as affine and projective ones, are easily carried out.
-:reading: image_of_a_power_curve_is_one | affine ones can be carried out on the coefficients: each is multiplied by one matrix, and one vector is
+:reading: image_of_a_power_curve_is_one | affine maps can be carried out on the coefficients: each is multiplied by one matrix, and one vector is
   added to the one of $t^0$
-:reading: projective_image_of_a_power_curve_is_rational | so can projective ones: each is multiplied by one matrix, and the point is divided
-:reading: projective_image_is_not_the_curve_of_the_images | so can projective ones on control points, each mapped for itself
+:reading: projective_image_of_a_power_curve_is_rational | projective maps can be carried out on the homogeneous coefficients: each is multiplied by one matrix, and the coordinates of
+  the point are divided by the last one
+:reading: projective_image_is_not_the_curve_of_the_images | projective maps can be carried out on control points, each mapped for itself
 :reading: what is easy: an opinion, which no computation decides
 :figure: projective_image_of_a_parabola
 
@@ -177,7 +178,8 @@ them.
 :zh: 升阶与分割不改变形状
 :printed: When the shape wanted is not reached by adjusting the parameters of the control points, the power to describe is raised by keeping the
   shape and raising the degree of the curve, or by keeping the shape and dividing the curve.
-:reading: bernstein_raised_by_one_degree | the degree of a polynomial curve can be raised, and the shape is kept
+:reading: bernstein_raised_by_one_degree | the degree of a polynomial curve can be raised, and the shape is kept: the curve is a sum of Bernstein polynomials $B_i^n(t)$ with points
+  as factors, and each is a combination of two of degree $n+1$
 :reading: piece_of_a_sum_of_powers_is_one | a polynomial curve can be divided, and the shape is kept
 :reading: what the power to describe is, and by how much it is raised: the source does not say, so that nothing is there to be decided
 :confirmed-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
@@ -247,7 +249,8 @@ CLAIM(piece_of_a_sum_of_powers_is_one)
 :confirmed-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
 
 Bézier curves of every degree are such curves: their points are averages of the control points, and along a line $ax+by+c=0$
-the coefficients are $ax_i+by_i+c$, whose changes of sign are the crossings of the polygon.
+the coefficients are $ax_i+by_i+c$, whose changes of sign are the crossings of the polygon.  The polynomial whose roots are counted is the value of $ax+by+c$ along
+the curve; it is 0 when the curve is on the line.
 :::
 */
 #include "chapters/judge/claims_off.h"

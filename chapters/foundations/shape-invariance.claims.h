@@ -6,7 +6,7 @@ knows.  The points are given by coordinates, and coordinates are chosen by someb
 gives another curve, the formula does not describe a shape (形状), however smooth it is.  The source shows the trap by an
 example, and asks for the condition that excludes it.
 */
-#include "chapters/foundations/definition.h"
+#include "chapters/foundations/space-rotation.h"
 
 #if RATIONAL
 #include "exact/record/sign.h"
@@ -25,8 +25,9 @@ a shape is not a function.
 :zh: 空间唯一性与干涉检验
 :printed: Two objects cannot occupy one space at the same time; but as shapes are described in a computer by equations and data, by means of data
   structures, this is very difficult to satisfy, and interference has to be examined.
-:reading: two_descriptions_may_claim_one_place | it does not follow from the descriptions: two bodies can be well described, and
-  both contain one point
+:reading: two_descriptions_may_claim_one_place | interference has to be examined: it is not excluded by the descriptions, since two bodies can each be described
+  without a fault, and both contain one point
+:reading: that two objects cannot occupy one space: a law of the physical world, which no computation decides
 :reading: what is very difficult: an opinion, which no computation decides
 :::
 
@@ -161,9 +162,10 @@ CLAIM(two_cubes_begin_and_end_at_their_points)
 :title: With one point at the origin the example is the segment
 :zh: 一点为原点时得直线段
 :given: $P_0=(0,0)$, any $P_1$, any $t$; $s\ge0$, $d>0$
-:then: $P(t)=P_0+t^3(P_1-P_0)$; $t^3$ runs from 0 to 1 and never back, since $(s+d)^3-s^3=d\,(3s^2+3sd+d^2)>0$ for $s\ge0$, $d>0$: so the curve
-  is the segment, once
-:method: Identities in $t$ and $P_1$, of which $(10,10)$ is one value, and in $s$ and $d$; what comes out has no negative coefficient.
+:then: $P(t)=P_0+t^3(P_1-P_0)$, $P(0)=P_0$, $P(1)=P_1$; $t^3$ runs from 0 to 1 and never back, since $(s+d)^3-s^3=d\,(3s^2+3sd+d^2)>0$ for $s\ge0$,
+  $d>0$: so the curve is the segment, once
+:method: Identities in $t$ and $P_1$, of which $(10,10)$ is one value, and in $s$ and $d$; what comes out has positive coefficients only, that of $d^3$ among
+  them.
 :harmless: $s\ge0$, $d>0$ | two parameters of the interval, the later one is $s+d$
 :scope: 0 ≤ t ≤ 1; every P₁, with P₀ = (0,0)
 :over: x1 y1: -; s d: -
@@ -175,12 +177,16 @@ CLAIM(two_cubes_from_the_origin_trace_the_segment)
     num t = parameter(T, "t"), P[4] = {from_int(0), from_int(0), unknown(T, "x", 1), unknown(T, "y", 1)};
     for (int j = 0; j < dim; j++)
         same(T, G(two_cubes)(P, j, t), mul(G(power)(t, fault(T, 3, 2)), P[dim + j]));
+    about(T, "the ends");
+    for (int end = 0; end <= 1; end++)
+        for (int j = 0; j < dim; j++)
+            same(T, G(two_cubes)(P, j, from_int(end)), P[end * dim + j]);
     num s = positive(T, "s", 0), d = positive(T, "d", 0), three = from_int(3);
     num rise = sub(G(power)(add(s, d), 3), G(power)(s, 3));
     about(T, "the growth of the cube of the parameter");
     /* (s + d)³ - s³ = d (3s² + 3sd + d²) */
     same(T, rise, mul(d, add(mul(three, mul(s, add(s, d))), mul(d, d))));
-    nonnegative(T, rise);
+    G(must_be_positive)(T, rise);
 }
 
 /*
@@ -193,10 +199,10 @@ where this triangle shrinks to a line.  In the printed example the origin is $P_
 :::{statement} hu-1987:1-2-example-reason
 :title: That the factors are 1 and 0 at the ends is the reason for the straight line
 :zh: 由端值推出直线
-:printed: Because $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$, the curve is the straight line that joins the two points $P_0=[0,0]$ and $P_1=[10,10]$.
+:printed: For $A_0(t)=(1-t)^3$, $A_1(t)=t^3$, because $A_0(0)=1$, $A_0(1)=0$, $A_1(0)=0$, $A_1(1)=1$, the curve $P(t)=A_0(t)P_0+A_1(t)P_1$ is the straight line that joins the two points $P_0=[0,0]$ and $P_1=[10,10]$.
 :refuted-by: ends_alone_leave_the_segment
-:reading: ends_alone_make_no_straight_line | for any two points: the reason uses nothing of those that are printed
-:meant: the two points that the sentence names | The printed points.
+:reading: ends_alone_make_no_straight_line | for any two points the four values are the reason: they say nothing of the printed ones
+:meant: the two points that the sentence names, and the word joins (连结) | The printed points, and the segment between them.
 :class: invalid-proof
 :corrected: The curve is the segment $P_0P_1$ exactly when the origin is on this segment.  $P(t)$ is on the line through $P_0\ne P_1$
   for a $t$ of $(0,1)$ exactly when the origin is on this line: $(P_1-P_0)\times(P(t)-P_0)=3t(1-t)\,P_0\times P_1$.
@@ -302,7 +308,7 @@ CLAIM(two_cubes_miss_the_chord_by_a_product)
 :given: a line through the origin with coordinate $x$; $P_0$ at $p_0$, $P_1$ at $p_1$; $f(t)=p_0(1-t)^3+p_1t^3$; any $t$ of $(0,1)$ and
   $p,q>0$; and the places $a_0=1$, $a_1=2$ on one side of the origin, with the parameter $s=1/2$
 :data: a = 1 2; s = 1/2
-:then: for $p_0=-p$, $p_1=q$, $f'(t)$ is three times $p(1-t)^2+qt^2\ge0$, so $f$ runs from $p_0$ to $p_1$ once and never back; for
+:then: for $p_0=-p$, $p_1=q$, $f'(t)$ is three times $p(1-t)^2+qt^2>0$, so $f$ runs from $p_0$ to $p_1$ once and never back; for
   $p_0=p$, $p_1=p+q$, $f'(0)$ is three times $-p<0$, so the curve begins by leaving the segment; for $p_0=a_0$, $p_1=a_1$ the value $f(s)$
   is outside $[a_0,a_1]$
 :result: f(s) = 3/8
@@ -333,15 +339,15 @@ CLAIM(two_cubes_fill_segments_with_the_origin)
     /* f'(t) = 3 (p (1-t)^2 + q t^2) */
     num sum = mul(from_int(3), add(mul(p, mul(rest, rest)), mul(q, mul(t, t))));
     same(T, G(power_sum_derivative)(3, 1, c, 0, 1, t), sum);
-    nonnegative(T, sum);
+    G(must_be_positive)(T, sum);
     G(two_cubes_on_a_line)(p, add(p, q), c);
     same(T, G(power_sum_derivative)(3, 1, c, 0, 1, from_int(0)), mul(from_int(-3), p)); /* f'(0) = -3p */
     G(two_cubes_on_a_line)(a[0], a[1], c);
     num value = G(power_sum)(3, 1, c, 0, s);
     found(T, "f(s)", value);
     about(T, "that f(s) is below a_0 < a_1");
-    nonnegative(T, sub(a[0], value));
-    nonnegative(T, sub(a[1], a[0]));
+    G(must_be_positive)(T, sub(a[0], value));
+    G(must_be_positive)(T, sub(a[1], a[0]));
 }
 
 /*
@@ -390,7 +396,7 @@ CLAIM(new_coordinates_are_a_translation)
 :::{statement} hu-1987:1-2-example-new-ends
 :title: In the new coordinates the curve still begins and ends at the points
 :zh: 新坐标系中曲线仍过两端点
-:printed: $P^*(t)=A_0(t)P_0^*+A_1(t)P_1^*$ passes through $P_0^*$ for $t=0$ and through $P_1^*$ for $t=1$.
+:printed: With $A_0(t)=(1-t)^3$, $A_1(t)=t^3$ the curve $P^*(t)=A_0(t)P_0^*+A_1(t)P_1^*$ passes through $P_0^*$ for $t=0$ and through $P_1^*$ for $t=1$.
 :holds-by: two_cubes_begin_and_end_at_their_points
 :figure: two_cubes_and_their_image
 :::
@@ -399,6 +405,7 @@ CLAIM(new_coordinates_are_a_translation)
 :title: In the new coordinates the example is a curve
 :zh: 新坐标系中例为曲线
 :printed: For $0<t<1$, $P^*(t)=(1-t)^3[-3,-2]+t^3[7,8]$ represents a curve.
+:meant: the word but (但是), which sets it against the straight line of the first coordinates | A curve that is not straight.
 :holds-by: image_of_the_example_turns_everywhere
 :confirmed-by: image_of_the_example_lies_on_a_cubic
 :figure: two_cubes_and_their_image
@@ -521,25 +528,31 @@ CLAIM(image_of_the_example_is_not_the_translated_curve)
 :title: In the new coordinates the middle of the example is not on the chord
 :zh: 新坐标系中曲线离弦
 :kind: counterexample
-:given: the curve $P^*(t)=(1-t)^3P_0^*+t^3P_1^*$ of the points $P^*$ of the source, and $t$
-:data: P* = (-3,-2) (7,8); t = 1/2
+:given: the source's two points, with the coordinates $P$ and, in the new system, $P^*$; the curves $P(t)=(1-t)^3P_0+t^3P_1$ and $P^*(t)=(1-t)^3P_0^*+t^3P_1^*$, and $t$
+:data: P = (0,0) (10,10); P* = (-3,-2) (7,8); t = 1/2
 :instead: P* = (0,0) (10,10)
-:then: $P^*(t)$ is not on the line through $P_0^*$ and $P_1^*$
-:result: P*(t) = (1/2,3/4)
-:method: The vector product $(P_1^*-P_0^*)\times(P^*(t)-P_0^*)$ is 0 on this line, and nowhere else.
+:then: $P(t)$ is on the line through $P_0$ and $P_1$, and $P^*(t)$ is not on the line through $P_0^*$ and $P_1^*$: the curve depends on the coordinates
+:result: P(t) = (5/4,5/4); P*(t) = (1/2,3/4)
+:method: The vector products $(P_1-P_0)\times(P(t)-P_0)$ and $(P_1^*-P_0^*)\times(P^*(t)-P_0^*)$ are 0 on these lines, and nowhere else.
 :control: the old coordinates
 :::
 */
 CLAIM(image_keeps_no_chord)
 {
-    num P[4], at[2];
-    given_points(T, "P*", 2, 2, P);
+    num P[4], image[4], first[2], at[2];
+    given_points(T, "P", 2, 2, P);
+    given_points(T, "P*", 2, 2, image);
     num t = given(T, "t");
-    for (int j = 0; j < dim; j++)
-        at[j] = G(two_cubes)(P, j, t);
+    for (int j = 0; j < dim; j++) {
+        first[j] = G(two_cubes)(P, j, t);
+        at[j] = G(two_cubes)(image, j, t);
+    }
+    found_points(T, "P(t)", 1, 2, first);
     found_points(T, "P*(t)", 1, 2, at);
+    about(T, "the vector product of the first chord and of P(t) - P_0");
+    vanishes(T, beside_chord(P, first));
     about(T, "the vector product of the chord and of P*(t) - P*_0");
-    vanishes(T, beside_chord(P, at));
+    vanishes(T, beside_chord(image, at));
 }
 #endif
 
@@ -597,53 +610,29 @@ the points whatever the functions are: that is the associative law of the produc
 :::{statement} hu-1987:1-2-rotation
 :title: A rotation of the points is the rotation of the curve
 :zh: 旋转变换下的形状不变性
-:printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0T\cdots Q_nT]^T=[\phi_0\cdots\phi_n][Q_0\cdots Q_n]^TT=P(t)\,T$: after a rotation the
-  shape is kept.
+:printed: For the matrix $T$ of a rotation and $Q_i^*=Q_iT$,
+  $P^*(t)=[\phi_0\cdots\phi_n][Q_0^*\cdots Q_n^*]^T=[\phi_0\cdots\phi_n][Q_0T\cdots Q_nT]^T=[\phi_0\cdots\phi_n][Q_0\cdots Q_n]^TT=P(t)\,T$: after a rotation
+  the shape is kept.
 :holds-by: matrices_pass_to_the_points rotations_keep_products
-:needs: rotation_about_a_point_moves_the_example | the proof, which multiplies by one matrix $T$ | the rotation is about the origin:
+:needs: rotation_about_a_point_moves_the_example | the words before the formulas, the matrix $T$ of the rotation (旋转变换矩阵) | the rotation is about the origin:
   such a one is a matrix.  About another point it contains a translation.
 :figure: rotations_of_the_example
 
-The first claim has $P^*(t)=P(t)\,T$, the second that the shape is kept: no length, no angle and no volume between points changes.
+The first step has $P^*(t)=P(t)\,T$, the second that the shape is kept: no length, no angle and no volume between points changes.
 :::
 
 :::{claim} rotations_keep_products
 :title: A rotation of space keeps lengths, angles and volumes
 :zh: 空间旋转保持长度、夹角与体积
 :given: the rotation $T$ of the quaternion $h$ with the four numbers $h_0,h_1,h_2,h_3$, not all 0, $v\mapsto hvh^{-1}$; any two vectors $v$, $w$ of space, from point to point
-:then: $(vT)\cdot(wT)=v\cdot w$ and $(vT)\times(wT)=(v\times w)\,T$, hence $\bigl((uT)\times(vT)\bigr)\cdot(wT)=(u\times v)\cdot w$ too
-:method: Every rotation about the origin is of this kind, $(h_1,h_2,h_3)$ along its axis, and its length over $h_0$ the tangent of half the angle.  Identities in
-  the four numbers and the six coordinates; the third follows by the first for $u\times v$ and $w$.
+:then: $(vT)\cdot(wT)=v\cdot w$ and $(vT)\times(wT)=(v\times w)\,T$, hence $\bigl((uT)\times(vT)\bigr)\cdot(wT)=(u\times v)\cdot w$ too; and with $a=(h_1,h_2,h_3)$ there is $aT=a$, and for $p=a\times v$,
+  any vector perpendicular to $a$, $p\cdot(pT)=\frac{h_0^2-|a|^2}{|h|^2}|p|^2$ and $p\times(pT)=\frac{2h_0}{|h|^2}|p|^2\,a$
+:method: Identities in the four numbers and the six coordinates; the third follows by the first for $u\times v$ and $w$.  The last three say that $T$ is the rotation
+  about the axis $a$ by the angle whose half has the tangent $\frac{|a|}{h_0}$; any axis and any angle can be chosen so, and every rotation about the origin is of this kind.
 :over: h#: rotations; v# w#: points
 :control: $T$ without the divisor $|h|^2$
 :::
 */
-/* The rotation of the quaternion h_0 + h_1 i + h_2 j + h_3 k, for rows: its first row is the image of (1, 0, 0); below = |h|^2 */
-static void G(rotation_of_space)(const num h[], num below, num M[])
-{
-    num square[4], two = from_int(2);
-    for (int k = 0; k < 4; k++)
-        square[k] = mul(h[k], h[k]);
-    for (int i = 0; i < space; i++) {
-        int j = (i + 1) % space, k = (i + 2) % space; /* the axes in their cyclic order */
-        num along = sub(add(square[0], square[1 + i]), add(square[1 + j], square[1 + k]));
-        num both_j = mul(h[1 + i], h[1 + j]), both_k = mul(h[1 + i], h[1 + k]);
-        M[i * space + i] = div(along, below);
-        M[i * space + j] = div(mul(two, add(both_j, mul(h[0], h[1 + k]))), below);
-        M[i * space + k] = div(mul(two, sub(both_k, mul(h[0], h[1 + j]))), below);
-    }
-}
-
-/* out = v M, a row times a matrix */
-static void G(row_of_space_times)(const num v[], const num M[], num out[])
-{
-    for (int j = 0; j < space; j++) {
-        out[j] = from_int(0);
-        for (int k = 0; k < space; k++)
-            out[j] = add(out[j], mul(v[k], M[k * space + j]));
-    }
-}
-
 CLAIM(rotations_keep_products)
 {
     num h[4], M[space * space], v[space], w[space], turned_v[space], turned_w[space], across[space],
@@ -665,6 +654,19 @@ CLAIM(rotations_keep_products)
     about(T, "the vector product");
     for (int j = 0; j < space; j++)
         same(T, across[j], turned_across[j]); /* (v T) × (w T) = (v × w) T */
+    const num *axis = h + 1;
+    num p[space], turned[space], square = G(norm_squared)(4, h), axis_square = G(norm_squared)(space, axis);
+    about(T, "the axis, and the angle about it");
+    G(row_of_space_times)(axis, M, turned);
+    for (int j = 0; j < space; j++)
+        same(T, turned[j], axis[j]);
+    G(cross3)(axis, v, p);
+    G(row_of_space_times)(p, M, turned);
+    G(cross3)(p, turned, across);
+    num length = div(G(norm_squared)(space, p), square);
+    same(T, G(dot)(space, p, turned), mul(sub(mul(h[0], h[0]), axis_square), length));
+    for (int j = 0; j < space; j++)
+        same(T, across[j], mul(mul(mul(from_int(2), h[0]), length), axis[j]));
 }
 
 #if RATIONAL
@@ -725,7 +727,7 @@ print does not say which of the two is meant.
 :::{statement} hu-1987:1-2-translation
 :title: What a translation of the points does to the curve
 :zh: 平移变换的推导
-:printed: $P^*(t)=[\phi_0\cdots\phi_n][Q_0+m\;\cdots\;Q_n+m]^T=P(t)+[\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)]\,m$
+:printed: For a translation $m$ and $Q_i^*=Q_i+m$, $P^*(t)=[\phi_0\cdots\phi_n][Q_0^*\cdots Q_n^*]^T=[\phi_0\cdots\phi_n][Q_0+m\;\cdots\;Q_n+m]^T=P(t)+[\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)]\,m$
 :holds-by: translation_adds_the_sum_of_the_functions
 :figure: sums_of_functions
 :::
@@ -789,7 +791,7 @@ CLAIM(doubled_functions_keep_the_shape)
 :::{statement} hu-1987:1-2-cauchy
 :title: The relation of Cauchy, for invariance under translations
 :zh: 柯西关系
-:printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied.
+:printed: To guarantee the invariance under translation, $\phi_0(t)+\phi_1(t)+\cdots+\phi_n(t)\equiv1$ has to be satisfied, the relation of Cauchy.
 :holds-by: translation_adds_the_sum_of_the_functions
 :hypothesis: shape_is_kept_without_the_sum_one | the curve goes where its points go, $P^*(t)=P(t)+m$.  To keep its shape, of
   which the section speaks, a constant sum $s$ is enough, since $P^*(t)=P(t)+s\,m$.
@@ -846,7 +848,11 @@ CLAIM(shape_is_kept_without_the_sum_one)
 :holds-by: sum_of_two_cubes_is_less_than_one two_cubes_from_the_origin_trace_the_segment image_of_the_example_turns_everywhere
   new_coordinates_are_a_translation
 :confirmed-by: image_of_the_example_is_not_the_translated_curve
+:reading: shape_is_kept_without_the_sum_one | of every curve that violates the relation the shape changes
+:meant: the words in the example of figure 1-1 (图1-1的例子中) | The example alone.
 :figure: sums_of_functions
+
+The factors of the example have a sum that is not even constant.  A constant sum other than 1 would violate the relation as well, and keep the shape.
 :::
 
 :::{claim} sum_of_two_cubes_is_less_than_one

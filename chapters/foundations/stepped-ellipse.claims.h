@@ -14,7 +14,7 @@ the second way: the determinant becomes 1, the points no longer drift, and the s
 :::{statement} hu-1987:1-3-second-substitution
 :title: The second formula with the new abscissa
 :zh: 用新横坐标代入
-:printed: $y_{n+1}=\varepsilon x_{n+1}+y_n=\varepsilon x_n+(1-\varepsilon^2)y_n$
+:printed: With $x_{n+1}=x_n-\varepsilon y_n$ in the place of $x_n$ in the second formula of (1-3-4), $y_{n+1}=\varepsilon x_{n+1}+y_n=\varepsilon x_n+(1-\varepsilon^2)y_n$
 :holds-by: second_step_uses_the_new_abscissa
 :figure: ellipse_of_the_second_way
 :::
@@ -182,7 +182,7 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
 :harmless: $\cos\delta\ne0$ | it is not 0 for $0<\Delta\theta<\pi$
 :then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
 :method: An identity in the five numbers, term by term as printed.
-:over: a# b#: angles; r: radius
+:over: a#: θ; b#: -; r: radius
 :control: the factor 2 of the product $xy$ left out
 :::
 */
@@ -242,8 +242,8 @@ CLAIM(second_form_is_an_ellipse)
     num form = sub(add(mul(x, x), mul(y, y)), mul(mul(from_int(2), s), mul(x, y)));
     /* x² + y² - 2s xy = (1 - s)/2 (x + y)² + (1 + s)/2 (x - y)² */
     same(T, form, fault(T, add(mul(low, plus), mul(high, minus)), add(mul(high, plus), mul(low, minus))));
-    nonnegative(T, low);
-    nonnegative(T, high);
+    G(must_be_positive)(T, low);
+    G(must_be_positive)(T, high);
 }
 
 /*
@@ -266,8 +266,8 @@ of second order, and both are half the sine to first order.
 :reading: ellipse_leaves_the_circle_by_more | the largest distance of all, outwards or inwards
 :figure: ellipse_of_the_second_way
 
-With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, for every $s$ larger
-than the printed $\sqrt{1+s}-1$: `inward_error_of_the_ellipse_is_larger`.
+With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, and for every $s$
+of $(0,1)$ this is larger than $\sqrt{1+s}-1$, the printed one: `inward_error_of_the_ellipse_is_larger`.
 :::
 
 :::{claim} ellipse_lies_between_two_circles
@@ -276,7 +276,8 @@ than the printed $\sqrt{1+s}-1$: `inward_error_of_the_ellipse_is_larger`.
 :given: $s=\sin\frac{\Delta\theta}2$, $c^2=1-s^2$, $0<s<1$, any point on $x^2+y^2-2sxy=r^2c^2$
 :then: $r^2(1+s)-(x^2+y^2)=\frac s{1-s}(x-y)^2$ and $(x^2+y^2)-r^2(1-s)=\frac s{1+s}(x+y)^2$; so the radius is between
   $r\sqrt{1-s}$ and $r\sqrt{1+s}$, both reached, on the diagonals, and $\frac{c^2}{1-s}=1+s$ makes $E=\sqrt{1+s}-1$
-:method: $r^2$ is eliminated by the equation; identities in $s$, $x$, $y$, with $s=\frac\sigma{1+\sigma}$.
+:method: $r^2$ is eliminated by the equation; identities in $s$, $x$, $y$; the two factors $\frac s{1-s}$ and $\frac s{1+s}$ are positive, with
+  $s=\frac\sigma{1+\sigma}$, $\sigma>0$.
 :scope: 0 < Δθ < π
 :harmless: $0<s<1$ | it is $0<\Delta\theta<\pi$, $s=\sin\frac{\Delta\theta}2$
 :over: x y: point; s: -
@@ -292,6 +293,9 @@ CLAIM(ellipse_lies_between_two_circles)
     /* r² (1 + s) - (x² + y²) = s/(1 - s) (x - y)²,   (x² + y²) - r² (1 - s) = s/(1 + s) (x + y)² */
     same(T, sub(mul(rr, outer), radius), mul(div(s, low), G(power)(sub(x, y), 2)));
     same(T, sub(radius, mul(rr, inner)), mul(div(s, high), G(power)(add(x, y), 2)));
+    about(T, "the two factors");
+    G(must_be_positive)(T, div(s, low));
+    G(must_be_positive)(T, div(s, high));
     about(T, "the square of 1 + E");
     same(T, div(cc, low), high);
 }
@@ -325,7 +329,7 @@ CLAIM(inward_error_of_the_ellipse_is_larger)
     num s = inside(T, "s"), half = mul(from_ratio(1, fault(T, 2, 4)), s), gap = mul(from_ratio(1, 4), mul(s, s));
     same(T, G(square_above)(half, G(square_of_the_quotient)(s)), gap);
     same(T, G(square_above)(neg(half), sub(from_int(1), s)), gap);
-    nonnegative(T, gap);
+    G(must_be_positive)(T, gap);
 }
 
 #if RATIONAL

@@ -49,7 +49,7 @@ stand in none of the formulas.
 :confirmed-by: bernstein_coefficients_and_g
 :figure: bernstein_matrix
 
-$j$ is the row, $i$ the column.
+$\mathbf G$ has $g_{ji}$ in row $j$ and column $i$, and $g_{ji}=0$ for $i<j$, see `bernstein-g`.
 :::
 */
 
@@ -416,7 +416,7 @@ CLAIM(printed_bernstein_quotient_fails)
 :::{statement} wang-ch4:bernstein-basis
 :title: The B-splines are then the Bernstein polynomials
 :zh: 退化为 Bernstein 基
-:printed: for $T=\{0,\dots,0,1,\dots,1\}$, compared with (1.6.9), the B-splines degenerate to the Bernstein polynomials, $N_{i,k}(t)=B_i^{k-1}(t)$, $t\in[t_{k-1},t_k)=[0,1)$, $i=0,1,\dots,k-1$
+:printed: for $T=\{0,0,\dots,0,1,1,\dots,1\}$, compared with (1.6.9), the B-splines degenerate to the Bernstein polynomials, $N_{i,k}(t)=B_i^{k-1}(t)$, $t\in[t_{k-1},t_k)=[0,1)$, $i=0,1,\dots,k-1$
 :holds-by: bernstein_functions_in_every_order outer_functions_are_made_of_outer_ones
 :confirmed-by: bsplines_are_bernstein_polynomials
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
@@ -448,10 +448,10 @@ CLAIM(bsplines_are_bernstein_polynomials)
 :::{statement} wang-ch4:bernstein-basis-sum
 :title: The Bernstein polynomials from the printed matrix
 :zh: 由印出的矩阵得到的和式
-:printed: in the same line: $N_{i,k}(t)=\sum_{j=0}^{k-1}a_{ji}t^j=B_i^{k-1}(t)$
+:printed: for $T=\{0,0,\dots,0,1,1,\dots,1\}$: $N_{i,k}(t)=\sum_{j=0}^{k-1}a_{ji}t^j=B_i^{k-1}(t)$, $t\in[t_{k-1},t_k)=[0,1)$, $i=0,1,\dots,k-1$
 :class: misprint
 :refuted-by: printed_bernstein_matrix_is_transposed
-:meant: the line before it, which gives the $a_{ji}$ of these knots, and from which it is concluded | The $a_{ji}$ are the numbers that are printed there.
+:meant: the line before it, which gives the $a_{ji}$ of these knots, and from which it is concluded | The $a_{ji}$ are the printed ones, see `bernstein-matrix`.
 :reading: bernstein_functions_in_every_order | the $a_{ji}$ are the entries of the coefficient matrix as they are, whatever is printed, and $t$ is in the span
 :reading-with: outer_functions_are_made_of_outer_ones bernstein_powers_in_every_degree
 :corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones

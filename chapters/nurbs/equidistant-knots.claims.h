@@ -292,7 +292,7 @@ CLAIM(uniform_chain_does_not_follow)
 :::{statement} wang-ch4:uniform-line-1
 :title: First sum: the knots put in
 :zh: 等距情形第一式
-:printed: a_{ji}=\binom{k-1}jk\sum_{l=r+1}^{i+k}\frac{(-1)^{j+k+l-i}(l-r)^{k-l-j}}{(l-i)!\,(i+k-l)!}
+:printed: when the knots are equidistant, $a_{ji}=\binom{k-1}jk\sum_{l=r+1}^{i+k}\frac{(-1)^{j+k+l-i}(l-r)^{k-l-j}}{(l-i)!\,(i+k-l)!}$, $i=r-k+1,r-k+2,\dots,r$; $j=0,1,\dots,k-1$
 :class: misprint
 :refuted-by: uniform_letter_one_fails
 :corrected: the exponent is $k-1-j$; everything else is right
@@ -360,7 +360,7 @@ CLAIM(uniform_letter_one_fails)
 :::{statement} wang-ch4:uniform-line-2
 :title: Second sum: i = r-k+1+s
 :zh: 等距情形第二式
-:printed: a_{ji}=\dots=\binom{k-1}jk(-1)^j\sum_{l=r+1}^{r+l+s}\frac{(-1)^{l+r+s+1}(l-r)^{k-l-j}}{(l+k-r-1-s)!\,(r+s+l-l)!}
+:printed: when the knots are equidistant, $a_{ji}=\dots=\binom{k-1}jk(-1)^j\sum_{l=r+1}^{r+l+s}\frac{(-1)^{l+r+s+1}(l-r)^{k-l-j}}{(l+k-r-1-s)!\,(r+s+l-l)!}$ with $i=r-k+1+s$, $i=r-k+1,r-k+2,\dots,r$; $j=0,1,\dots,k-1$
 :class: misprint
 :refuted-by: uniform_letter_in_factorial_fails
 :corrected: the upper limit is $r+1+s$, the exponent $k-1-j$ and the last factorial $(r+s+1-l)!$: three letters $l$ for the
@@ -397,7 +397,7 @@ CLAIM(uniform_letter_in_factorial_fails)
 :::{statement} wang-ch4:uniform-line-3
 :title: Third sum: v = l-r-1
 :zh: 等距情形第三式
-:printed: a_{ji}=\dots=\binom{k-1}jk(-1)^j\sum_{v=0}^s\frac{(-1)^{v+s}(v+1)^{k-l-j}}{(v+k-s)!\,(s-v)!}
+:printed: when the knots are equidistant, $a_{ji}=\dots=\binom{k-1}jk(-1)^j\sum_{v=0}^s\frac{(-1)^{v+s}(v+1)^{k-l-j}}{(v+k-s)!\,(s-v)!}$ with $i=r-k+1+s$, $i=r-k+1,r-k+2,\dots,r$; $j=0,1,\dots,k-1$
 :class: misprint
 :refuted-by: uniform_letter_is_free_in_the_third_sum
 :corrected: the exponent is $k-1-j$
@@ -433,7 +433,7 @@ CLAIM(uniform_letter_is_free_in_the_third_sum)
 :::{statement} wang-ch4:uniform-line-4
 :title: Fourth sum: l = s-v
 :zh: 等距情形第四式
-:printed: a_{ji}=\dots=\binom{k-1}jk(-1)^j\sum_{l=0}^s\frac{(-1)^l(s-l+1)^{k-l-j}}{(k-l)!\,l!}
+:printed: when the knots are equidistant, $a_{ji}=\dots=\binom{k-1}jk(-1)^j\sum_{l=0}^s\frac{(-1)^l(s-l+1)^{k-l-j}}{(k-l)!\,l!}$ with $i=r-k+1+s$, $i=r-k+1,r-k+2,\dots,r$; $j=0,1,\dots,k-1$
 :class: misprint
 :refuted-by: uniform_letter_in_last_sum_fails
 :corrected: the exponent is $k-1-j$
@@ -519,11 +519,12 @@ CLAIM(uniform_terms_pass_into_one_another)
 :::{statement} wang-ch4:uniform-matrix
 :title: The coefficient matrix of equidistant knots
 :zh: 等距节点的系数矩阵
-:printed: simplified and rearranged, on the interval $[t_r,t_{r+1})=[r,r+1)$ the elements of $\mathbf A_{r,t,T}$ are
+:printed: simplified and rearranged, for equidistant knots, on the interval $[t_r,t_{r+1})=[r,r+1)$ the elements of $\mathbf A_{r,t,T}$ are
   $a_{j,r-k+1+i}=(-1)^j\frac{\binom{k-1}j}{(k-1)!}\sum_{l=0}^i(-1)^l\binom kl(i-l+1)^{k-1-j}$, $i,j=0,1,\dots,k-1$
 :holds-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
   uniform_terms_pass_into_one_another fourth_sum_is_the_printed_one
 :confirmed-by: uniform_matrix_is_the_matrix
+:needs: polynomial_of_a_span_ends_with_it | the line itself: on $[t_r,t_{r+1})=[r,r+1)$ | $t$ lies in the span
 :meant: (4.4.3), whose indices are $r,k,T$ | The matrix is $\mathbf A_{r,k,T}$, see `notation-4.4`.
 :figure: uniform_matrices
 
@@ -533,13 +534,13 @@ Here the exponent is printed right.  The first two steps are (4.4.23) put right,
 :::{statement} wang-ch4:uniform-matrix-independent
 :title: The matrix is the same on every span
 :zh: 与 r 无关
-:printed: the entries do not depend on $r$
+:printed: when the knots are equidistant, the elements of the coefficient matrix on $[r,r+1)$ do not depend on $r$
 :holds-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
   uniform_terms_pass_into_one_another fourth_sum_is_the_printed_one
 :confirmed-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
 :figure: uniform_matrices
 
-Another $r$ is another first knot: around $[r,r+1)$ it is $r-k+1$.
+In $a_{j,r-k+1+i}$, $i,j=0,\dots,k-1$, $r$ numbers the columns alone.  Another $r$ is another first knot: around $[r,r+1)$ it is $r-k+1$.
 :::
 
 :::{claim} fourth_sum_is_the_printed_one

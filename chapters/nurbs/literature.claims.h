@@ -83,7 +83,7 @@ CLAIM(cited_label_is_not_printed)
 :::{statement} wang-ch4:notation-4.4
 :title: Indices of section 4.4
 :zh: 4.4 节若干记号的下标
-:printed: $\omega_{i\,\iota}(x)$ in the proof of theorem 4.4.2; the cofactors $g^*_\mu$ of $g_\mu$ below theorem 4.4.3; $\alpha_{ii}(T)$ below
+:printed: $\omega_{i\,\iota}(x)$ in the proof of theorem 4.4.2; the cofactors $g^*_\mu$ of $g_\mu$ in theorem 4.4.3; $\alpha_{ii}(T)$ in
   lemma 4.4.1; $l_a(T_i)>0$, $q=1,2,\dots,d(T_i)$, in theorem 4.4.1; $\mathbf A_{r,t,T}$ for equidistant knots
 :class: misprint
 :refuted-by: five_names_have_other_indices
@@ -255,10 +255,11 @@ CLAIM(keys_have_the_years_of_their_entries)
 :::{statement} wang-ch4:references-cited
 :title: The numbered references
 :zh: 参考文献的引用
-:printed: the list has the references 1 to 19, and the text cites them by these numbers
+:printed: the references have the numbers 1 to 19 in the list, and the text cites them by these numbers
 :holds-by: numbered_references_are_all_cited
+:meant: the text, which cites Versprille as [2] | Versprille's thesis, which stands between 1 and 3 and whose number the text at hand has lost, is reference 2.
 
-Every number that is cited is in the list, and every entry of the list is cited.  The number 2 itself is lost in the text at hand, where the entry of Versprille stands between 1 and 3.  Reference 9 has SIGGRAH for SIGGRAPH, and the references 4, 7 and 8 have "its Application" in
+Every number that is cited is in the list, and every entry of the list is cited.  Reference 9 has SIGGRAH for SIGGRAPH, and the references 4, 7 and 8 have "its Application" in
 the name of IEEE Computer Graphics and Applications.
 :::
 
@@ -266,11 +267,11 @@ the name of IEEE Computer Graphics and Applications.
 :title: The numbers cited are 1 to 19
 :zh: 参考文献 1 至 19 均被引用
 :kind: decision
-:given: the citations of the chapter in their order, from one number to another; the last ones are those of section
-  4.4
+:given: the numbers of the list as printed, and the one that is lost between 1 and 3; the citations of the chapter in their order, from one number to another; the last ones
+  are those of section 4.4
 :data: citations = (1,1) (2,2) (3,7) (8,10) (11,11) (12,12) (13,13) (12,12) (14,14) (15,15) (16,16) (17,17) (12,12)
-  (13,13) (18,18) (18,18) (14,14) (14,14) (19,19) (15,15) (19,19); last ones = 5; references = 19
-:then: each of $1,\dots,19$ occurs, and no other number
+  (13,13) (18,18) (18,18) (14,14) (14,14) (19,19) (15,15) (19,19); last ones = 5; list = 1 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19; lost = 2
+:then: the numbers of the list are $1,\dots,19$, each of them is cited, and no other number
 :method: The numbers are ticked off.
 :scope: the numbered references
 :control: the citations of section 4.4 only
@@ -278,16 +279,21 @@ the name of IEEE Computer Graphics and Applications.
 */
 CLAIM(numbered_references_are_all_cited)
 {
-    enum { CITATIONS = 21, MOST = 32 };
-    num from_to[2 * CITATIONS];
+    enum { CITATIONS = 21, PRINTED = 18, MOST = 32 };
+    num from_to[2 * CITATIONS], list[PRINTED];
     int seen[MOST] = {0};
     given_points(T, "citations", CITATIONS, 2, from_to);
-    int last = given_whole(T, "last ones"), references = given_whole(T, "references");
+    given_points(T, "list", PRINTED, 1, list);
+    int last = given_whole(T, "last ones"), lost = given_whole(T, "lost");
+    about(T, "the numbers of the list"); /* the lost one is put in behind the first */
+    for (int n = 1; n <= PRINTED + 1; n++)
+        same(T, n == 2 ? from_int(lost) : list[n == 1 ? 0 : n - 2], from_int(n));
     for (int k = fault(T, 0, CITATIONS - last); k < CITATIONS; k++)
         for (int n = 0; n < MOST; n++)
             seen[n] |= compare_q(from_to[2 * k], from_int(n)) <= 0 && compare_q(from_int(n), from_to[2 * k + 1]) <= 0;
+    about(T, "the numbers that are cited");
     for (int n = 0; n < MOST; n++)
-        same(T, from_int(seen[n]), from_int(n >= 1 && n <= references));
+        same(T, from_int(seen[n]), from_int(n >= 1 && n <= PRINTED + 1));
 }
 
 /*
@@ -300,7 +306,7 @@ rule of its journal, and is wrong.
 :printed: in Computer Aided Design: 1991, 23; 1987, 19; 1989, 21; 1989, 21; 1992, 24; 1990, 22; 1992, 24
 :holds-by: volumes_of_one_journal_follow_the_years
 
-These are year and volume of the references 1, 3, 5, 6, 10, 12 and 13.
+These are year and volume of the references 1, 3, 5, 6, 10, 12 and 13.  The journal has one volume a year, and so they agree with one another.
 :::
 
 :::{claim} volumes_of_one_journal_follow_the_years
@@ -369,6 +375,8 @@ CLAIM(volumes_follow_the_years)
 :refuted-by: volume_of_the_survey_breaks_the_rule
 :corrected: volume 11: the volume of this journal is the year less 1980, as for references 4 and 8
 :corrected-by: volumes_follow_the_years
+
+The journal is IEEE Computer Graphics and Applications, see `references-cited`.
 :::
 
 :::{claim} volume_of_the_survey_breaks_the_rule

@@ -122,7 +122,7 @@ CLAIM(cofactor_is_signed_minor)
 :::{statement} wang-ch4:thm-4.4.3
 :title: The coefficients by Marsden's identity
 :zh: 定理 4.4.3 基于 Marsden 恒等式的系数矩阵
-:printed: the $\bar a_{ji}$ of (4.4.16) are $\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}$, $j=0,1,\dots,k-1$, where
+:printed: if the interval $[t_r,t_{r+1})$ is not empty, the $\bar a_{ji}$ of (4.4.16) are $\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}$, $j=0,1,\dots,k-1$, where
   $\mathbf G_{r,k,T}$ is the $k\times k$ matrix (4.4.18), (4.4.19), $g_\mu^*$ is the cofactor of its element $g_\mu$, and $\omega_{i,k}(x)$ is as in (4.4.14)
 :holds-by: printed_cofactor_formula_gives_the_basis marsden_step_for_every_order coefficients_of_marsden_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
@@ -131,6 +131,7 @@ CLAIM(cofactor_is_signed_minor)
   $c=0$.  The inverse matrix by its cofactors solves (4.4.21) for the $N_{i,k}$, and their powers of $t$ are written in powers of $u$.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
+:needs: polynomial_of_a_span_ends_with_it | (4.4.16): $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :meant: (4.4.17) and (4.4.19), in which both have two indices | $g^*_{\mu i}$ is the cofactor of $g_{\mu i}$: both have lost the index $i$, see
   `notation-4.4`.
 :figure: both_matrices
@@ -273,9 +274,10 @@ CLAIM(polynomial_of_a_span_ends_with_it)
   $c=0$.  The inverse matrix by its cofactors solves (4.4.21) for the $N_{i,k}$, and their powers of $t$ are written in powers of $u$.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
+:needs: polynomial_of_a_span_ends_with_it | (4.4.16), whose coefficients they are: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: both_matrices
 
-The entries do not change when all knots move by one number, although $t_r$ stands in the formula.
+For $t_r=0$ the power $t_r^0$ is 1.  The entries do not change when all knots move by one number, which changes neither $u$ nor the functions, although $t_r$ stands in the formula.
 :::
 
 :::{statement} wang-ch4:thm-4.4.3-equal
@@ -285,6 +287,7 @@ The entries do not change when all knots move by one number, although $t_r$ stan
   (preface)
 :holds-by: printed_double_sum_gives_the_basis printed_cofactor_formula_gives_the_basis
 :confirmed-by: both_explicit_matrices_agree
+:argued: every order and every pattern of knots | Each of the two is true for every order and every pattern of knots, by the arguments of `thm-4.4.1` and `thm-4.4.3`.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
@@ -401,8 +404,8 @@ does.
 :given: orders $k$, knots variables
 :then: $\det G=\prod(t_b-t_a)/\prod_j\binom{k-1}j$ over the pairs $a\le r<b$ with $b-a\le k-1$, as `marsden_determinant`
   computes it
-:method: The determinant of $G$ by (4.4.19), over all permutations up to $k=4$ and by Bird's algorithm for every $k$.  Both are polynomials of the knots,
-  so that they agree for coincident ones, too.  On a span that is not empty no factor is 0: $t_a\le t_r<t_{r+1}\le t_b$.
+:method: The determinant of $G$ by (4.4.19), by Bird's algorithm and, up to $k=4$, over all permutations, too.  It and the product are polynomials of the
+  knots, so that they agree for coincident ones, too.  On a span that is not empty no factor is 0: $t_a\le t_r<t_{r+1}\le t_b$.
 :degrees: 0..4 sampled 7
 :over: t#: knots
 :defines: marsden_determinant
@@ -505,7 +508,7 @@ CLAIM(empty_span_makes_g_singular)
 :printed: by the linear independence of the basis functions $\det\mathbf G_{r,k,T}\ne0$
 :holds-by: singular_g_makes_powers_dependent marsden_step_for_every_order coefficients_of_marsden_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
-:argued: every k | (4.4.21) is true for every $k$.  Applied to a vector $c$ it is $\sum c_\mu t^\mu=\sum_i(\mathbf G^Tc)_iN_{i,k}(t)$; so
+:argued: every k and every pattern of knots | (4.4.21) is true for every $k$ and every pattern of knots.  Applied to a vector $c$ it is $\sum c_\mu t^\mu=\sum_i(\mathbf G^Tc)_iN_{i,k}(t)$; so
   $\mathbf G^Tc=0$ makes the polynomial vanish on the span, and $c=0$, since the powers are independent.
 :meant: (4.4.21), of which the line is said and which has a basis on either side; the powers are called a basis (幂基) in definition 4.4.1 | The basis functions are those of
   (4.4.21), the powers with the B-splines.

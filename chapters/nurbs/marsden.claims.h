@@ -799,7 +799,7 @@ CLAIM(powers_of_t_from_derivatives)
   example is of (4.4.13), and at $x=0$ both of its sides are those of $j=1$ with the other sign
 :figure: powers_from_averages
 
-$j=0,\dots,k-1$, as $\mu$ in (4.4.20), of which it is another form.  For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
+No range is printed for $j$; it is $0,\dots,k-1$, as that of $\mu$ in (4.4.20), of which this is another form, and beyond it $\binom{k-1}j$ is 0.  For $j=1$ the coefficients are the averages of the inner knots, the abscissae of Greville.
 :::
 
 The coefficient of $t^j$ is the symmetric function divided by the number of its terms, a mean of products of $j$ inner
@@ -842,7 +842,7 @@ CLAIM(powers_of_t_from_symmetric_functions)
 :::{statement} wang-ch4:formula-4.4.22-sym
 :title: The symmetric functions
 :zh: 第 j 个对称函数
-:printed: \mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})=\sum_{i+1\le i_1<\dots<i_j\le i+k-1}t_{i_1}\cdots t_{i_j}
+:printed: $\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})=\sum_{i+1\le i_1<\dots<i_j\le i+k-1}t_{i_1}\cdots t_{i_j}$ is the $j$-th symmetric function of the knots $t_{i+1},\dots,t_{i+k-1}$
 :definition: yes
 :checked-by: elementary_symmetric_is_sum_over_subsets
 :figure: powers_from_averages
@@ -853,12 +853,12 @@ For $j=0$ the sum has one term, the empty product 1.
 :::{statement} wang-ch4:formula-4.4.22-step
 :title: The derivatives of omega at 0 are symmetric functions
 :zh: ω 在 0 处的导数与对称函数
-:printed: \omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})
+:printed: because $\omega_{i,k}^{(k-1-j)}(0)=(-1)^j(k-1-j)!\,\mathrm{Sym}_j(t_{i+1},\dots,t_{i+k-1})$, (4.4.22) follows from (4.4.20)
 :holds-by: coefficients_of_marsden_in_every_order
 :confirmed-by: derivatives_of_omega_are_symmetric
 :figure: powers_from_averages
 
-$j=0,\dots,k-1$, as $\mu$ in (4.4.20).
+No range is printed for $j$; it is $0,\dots,k-1$, as that of $\mu$ in (4.4.20).  By (3) the factor of $N_{i,k}(t)$ in (4.4.20) is that in (4.4.22).
 :::
 */
 

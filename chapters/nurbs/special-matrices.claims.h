@@ -60,7 +60,7 @@ CLAIM(simple_determinant_is_vandermonde)
 :::{statement} wang-ch4:simple-divided-difference
 :title: The divided difference over simple nodes
 :zh: 单节点差商公式
-:printed: [t_i,t_{i+1},\dots,t_{i+k}]f=\sum_{l=i}^{i+k}\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_j-t_l)\Bigr]^{-1}f(t_l)
+:printed: when all knots are simple, by lemma 4.4.1 $[t_i,t_{i+1},\dots,t_{i+k}]f=\sum_{l=i}^{i+k}\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_j-t_l)\Bigr]^{-1}f(t_l)$
 :class: misprint
 :refuted-by: printed_simple_difference_has_wrong_sign
 :corrected: the factors are $t_l-t_j$; there are $k$ of them, so the printed formula has the wrong sign for odd $k$ and is
@@ -198,7 +198,7 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :::{statement} wang-ch4:simple-basis
 :title: The B-spline of simple knots
 :zh: 单节点 B 样条基
-:printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1},\quad i=r-k+1,r-k+2,\dots,r
+:printed: when all knots are simple, by theorem 4.4.1 $N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}$, $i=r-k+1,r-k+2,\dots,r$
 :reading: simple_function_in_every_order | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$, the factor of $f(t_l)$ in the divided difference
 :reading-with: simple_difference_in_every_order
 :reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the formula for the divided difference before it has in front of $f(t_l)$ as
@@ -209,7 +209,8 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1, from which it is taken: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: simple_knots_sign
 
-The source does not say what $\alpha_l$ is.  In the next line of the same formula its place is taken by the printed factors.
+The source does not say what $\alpha_l$ is.  Theorem 4.4.1, which it cites for the formula, has the weights of lemma 4.4.1; in the next line of the same formula, `simple-basis-expanded`,
+the place of $\alpha_l$ is taken by 1 over the printed factors $t_\alpha-t_l$.
 :::
 
 The formula is true for every order, by an induction that uses the recursion of Cox and de Boor term by term: a knot that both
@@ -379,8 +380,8 @@ CLAIM(printed_expansion_gives_the_negative_basis)
 :::{statement} wang-ch4:simple-basis-expanded
 :title: The B-spline of simple knots in powers of u
 :zh: 单节点 B 样条基的展开式
-:printed: N_{i,k}(t)=\sum_{j=0}^{k-1}u^j\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-1-j}
-  \Big/\prod_{\alpha=i,\,\alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr],\quad i=r-k+1,r-k+2,\dots,r
+:printed: when all knots are simple, $N_{i,k}(t)=\sum_{j=0}^{k-1}u^j\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-1-j}
+  \Big/\prod_{\alpha=i,\,\alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr]$, $i=r-k+1,r-k+2,\dots,r$
 :class: misprint
 :refuted-by: printed_expansion_gives_the_negative_basis
 :corrected: the same with $t_l-t_\alpha$: as printed it is $(-1)^kN_{i,k}$
@@ -389,7 +390,7 @@ CLAIM(printed_expansion_gives_the_negative_basis)
 :needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1, from which it is taken: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: simple_knots_sign
 
-It is the formula before it, each $(t_l-t)^{k-1}$ written in powers of $u$ with $\tau=t_l$, and the sums over $j$ and $l$ exchanged.
+It is the formula of `simple-basis`, each $(t_l-t)^{k-1}$ written in powers of $u$ with $\tau=t_l$, and the sums over $j$ and $l$ exchanged.
 :::
 
 The wrong sign is carried on into the B-spline, its expansion in $u$ and the entries of the matrix.  The corrected
@@ -458,19 +459,21 @@ CLAIM(printed_simple_matrix_differs_by_the_parity_sign)
 :::{statement} wang-ch4:formula-4.4.23
 :title: The entries of the coefficient matrix for simple knots
 :zh: 单节点系数矩阵的元素
-:printed: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-l-j}\Big/\prod_{\alpha=i,\,
-  \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr],\quad i=r-k+1,r-k+2,\dots,r;\ j=0,1,\dots,k-1
+:printed: when all knots are simple, the elements of the coefficient matrix are
+  $a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\Bigl[(t_l-t_r)^{k-l-j}\Big/\prod_{\alpha=i,\,
+  \alpha\ne l}^{i+k}(t_\alpha-t_l)\Bigr]$, $i=r-k+1,r-k+2,\dots,r$; $j=0,1,\dots,k-1$
 :class: misprint
 :refuted-by: printed_entry_of_order_one_is_negative exponent_with_the_letter_fails
 :corrected: a_{ji}=\binom{k-1}j(t_{i+k}-t_i)(t_r-t_{r+1})^j\sum_{l=r+1}^{i+k}\frac{(t_l-t_r)^{k-1-j}}{\prod_{\alpha=i,\,\alpha\ne l}^{i+k}
   (t_l-t_\alpha)}
 :corrected-by: simple_function_in_every_order binomial_theorem_in_every_degree
 :confirmed-by: simple_matrix_is_the_matrix printed_simple_matrix_differs_by_the_parity_sign
+:needs: polynomial_of_a_span_ends_with_it | (4.4.11), whose coefficients they are: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :striking: 9
 :figure: simple_knots_sign
 
 Two faults: the factors, whose product has the wrong sign for odd $k$, and in the exponent the letter $l$ where the digit 1 has to be, which is wrong alone in the
-second counterexample.  Put right, the entries are the factors of the powers of $u$ in the formula before.
+second counterexample.  Put right, the entries are the factors of the powers of $u$ in `simple-basis-expanded`.
 :::
 */
 
