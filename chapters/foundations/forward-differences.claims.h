@@ -246,7 +246,7 @@ CLAIM(differences_by_alternating_sums)
 :printed: $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at $t=i\delta$, and $P_1=P_0+\Delta P_0$.
 :refuted-by: step_from_zero_reaches_one_step_only
 :class: misprint
-:corrected: They are the differences at $t=\delta$.
+:corrected: $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at $t=\delta$.
 :corrected-by: printed_lines_step_a_cubic
 :confirmed-by: step_takes_differences_to_the_next_place additions_step_along_the_curve
 :figure: forward_differences
@@ -493,11 +493,13 @@ and additions; with another step it is not.
 :zh: 差分法不用乘法
 :printed: With differences multiplications are not needed at all, only shifts and additions, so that the curve wanted can be generated at high speed.
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table step_takes_differences_to_the_next_place
-  table_after_any_number_of_steps
+  table_after_any_number_of_steps table_is_whole_in_units_of_the_cube
 :meant: the words "so that" (从而) | High speed is: without multiplications.
-:needs: other_steps_need_multiplications | $\delta=1/2^m$ a few lines below, with shifts and additions | $\delta=2^{-m}$: so that the
+:needs: other_steps_need_multiplications | the sentence behind (1-4-4), $\delta=1/2^m$ with a positive whole number $m$ | $\delta=2^{-m}$: so that the
   table (1-4-5) is begun by shifts, and the divided step (1-4-4) takes shifts.  The step (1-4-3) without division has additions only, whatever
   $\delta$ is.
+:hypothesis: short_words_lose_the_end | the machine's words are long enough: a shift that drops bits is no product, and the curve would be another one.  With $3m$ binary
+  places behind the point more than the coefficients have, and room before it, they hold every row exactly.  Words with 8 places may lose the end.
 :figure: stepping_and_rounding
 
 The table is made for each coordinate alone.  Products with a sum of few powers of two, such as $\frac34$, are shifts and additions as
@@ -531,7 +533,7 @@ TABLE_BY_SHIFTS(m)
 
 /*
 :::{claim} rows_by_shifts_are_the_table
-:title: The rows that are formed by shifts are the table to begin with, for every step
+:title: The rows that are formed by shifts are the table to begin with, for every δ
 :zh: 移位所得各行即初始差分表
 :given: any $A,B,C,D$, one coordinate, any $\delta\ne0$; the rows $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
 :where: $\delta\ne0$
@@ -585,7 +587,7 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
 :where: $\delta=2^{-m}$
 :data: D = 3
 :then: `power_difference_step` costs $nd$ additions and nothing else, `power_scaled_difference_step` $nd$ additions and $nd$ shifts
-:method: The kernels are run in the number type that counts, which knows of a step only that it is a power of two.
+:method: The kernels are run in the number type that counts, which knows of $\delta$ only that it is a power of two.
 :degrees: 1..12
 :scope: one to three coordinates
 :control: one addition more in the unscaled step, one shift more in the scaled one
@@ -611,8 +613,8 @@ CLAIM(step_costs_additions_only)
 :data: δ = 1/256
 :then: shifts and additions, and no multiplication
 :result: shifts = 6; additions = 4; multiplications = 0
-:method: The rows are formed in the number type that counts, which knows of a step only that it is a power of two, and beside it in rationals for
-  one.  That they are the printed ones for every step is `rows_by_shifts_are_the_table`.
+:method: The rows are formed in the number type that counts, which knows of $\delta$ only that it is a power of two, and beside it in rationals for
+  one $\delta$.  That they are the printed ones for every $\delta$ is `rows_by_shifts_are_the_table`.
 :degrees: 3..3
 :control: a step that is no power of two
 :::

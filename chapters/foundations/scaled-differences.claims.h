@@ -19,7 +19,7 @@ step, which makes them as large as the coefficients, and begins the table with t
 :::{statement} hu-1987:1-4-small-differences
 :title: The differences after the third are small
 :zh: 高阶差分已相当小
-:printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have become rather small.
+:printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have in fact become rather small.
 :holds-by: third_difference_loses_three_bytes
 :meant: the next line, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, which are then
   of the size of the coefficients | Against the coefficients of the curve these differences are small, the third as well.
@@ -161,7 +161,8 @@ belongs to the first, the formulas that stand above the sentence to the second.
 :printed: Written as a matrix, the formulas above give the $4\times3$ matrix of differences (1-4-5).
 :holds-by: scaled_table_is_as_printed
 :confirmed-by: step_multiplies_by_a_square_matrix
-:meant: the formula (1-4-5) that follows, and the number $4\times3$ | The differences at $t=0$ as rows, each with the three coordinates of space.
+:meant: the formula (1-4-5) that follows, and the number $4\times3$ | The formulas above are those of the differences, at $t=0$ and divided by the powers of
+  $\delta$; each difference is a row with the three coordinates of space.
 :figure: forward_differences
 
 The step (1-4-4), which stands above the sentence, has a matrix as well, with four rows and four columns:
@@ -207,8 +208,8 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :confirmed-by: stepping_reaches_the_other_end stepping_is_exact_for_short_coefficients
 :meant: the words before the table, with shifts and additions only, and thereby (从而) at high speed | High speed is: with shifts and additions
   in the place of products.
-:hypothesis: short_words_lose_the_end | the words are long enough: with $3m$ binary places behind the point more than the coefficients have, and room before
-  it, they hold every row exactly, `table_is_whole_in_units_of_the_cube`.  Words with 8 places may lose the end.
+:hypothesis: short_words_lose_the_end | the machine's words are long enough: a shift that drops bits is no product, and the curve would be another one.  With $3m$ binary
+  places behind the point more than the coefficients have, and room before it, they hold every row exactly.  Words with 8 places may lose the end.
 :figure: stepping_and_rounding
 :::
 
