@@ -76,11 +76,14 @@ the line that turns back, the trouble begins where the point stands still.
 :printed: If for a curve $P(t)$ ($a\le t\le b$) all derivatives of $x(t),y(t),z(t)$ "of order $r$ that are positive" (所有 r 阶为正的导数) exist and are
   continuous, and the regularity condition above is satisfied, the curve is called continuous of class $C^r$.
 :checked-by: cusp_of_the_example_is_a_cusp
+:confirmed-by: natural_line_is_regular
 :example: a curve whose coordinates are polynomials, and which is of no class on $[0,1]$.
 :meant: the usual notion of the class $C^r$, as the words are out of order | The derivatives of the orders 1 to $r$.
 :figure: cusp_and_its_derivative
 
 The curve of the example has the derivative 0 at $t=\frac12$, so that by this definition it is of no class on an interval that contains this parameter.
+The line $x=y=t$ has the derivative $(1,1)$ and all further ones 0, so that it is of every class $C^r$, $r\ge1$, on every interval:
+`natural_line_is_regular`.
 :::
 
 The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, which have
@@ -171,11 +174,13 @@ CLAIM(polynomial_without_constant_is_small_near_zero)
 :given: a vector $d\ne0$ of space, and another one, $q=d+e$, any $e$
 :where: $\dot P\ne0$
 :then: $q\times d=e\times d$ and $|e|^2|d|^2-|e\times d|^2=(e\cdot d)^2\ge0$, so that the sine of the angle of $q$ and $d$, $\frac{|q\times d|}{|q||d|}$, is at most
-  $\frac{|e|}{|q|}$, where $|q|\ge|d|-|e|$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$
-:method: Identities in the six coordinates.  With $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the vector $e$ tends to 0 with $h$, from either side: that is what the
-  derivative is.  So the directions of the chords tend to that of $d$, and to no other.
+  $\frac{|e|}{|q|}$, where $|q|\ge|d|-|e|$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$.
+  For any $\eta>0$ the sine is less than $\eta$ where $|e|<\frac\eta{1+\eta}|d|$
+:method: Identities in the six coordinates.  With $|d|=b$ and $|e|=\frac{y\eta}{1+\eta}b$, $0<y<1$, the difference $\eta(b-|e|)-|e|=\eta(1-y)b$ is positive.  For
+  $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the derivative is that vector $d$ for which $|e|$ is less than any given number where $h$ is small enough, of either
+  sign: so the sine is less than any $\eta>0$ there.  The direction of the chords has that of $d$ for its limit, and no other.
 :scope: curves with a derivative
-:over: u# v#: -
+:over: u# v# b y n: -
 :control: the vector product taken in the other order
 :::
 */
@@ -201,6 +206,11 @@ CLAIM(direction_is_near_where_the_vector_is)
     same(T, sub(squares, G(norm_squared)(space, of_e)), mul(along, along));
     about(T, "the scalar product");
     same(T, G(dot)(space, q, d), add(G(norm_squared)(space, d), along));
+    num b = positive(T, "b", 0), eta = positive(T, "n", 0), y = inside(T, "y"), one = from_int(1);
+    num size = mul(div(mul(y, eta), add(one, eta)), b), room = mul(mul(eta, sub(one, y)), b);
+    about(T, "as small as one likes");
+    same(T, sub(mul(eta, sub(b, size)), size), room);
+    G(must_be_positive)(T, room);
 }
 
 #if FIELD
@@ -403,9 +413,10 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 :zh: 单位切矢在尖点处反向
 :given: the curve of the example, $P(t)=\sum_kc_kt^k$, at $t-u$ and $t+u$, where $t$ is the parameter of the cusp and $u>0$
 :data: c = (0,0) (3,3) (-6,-3) (4,0); t = 1/2
-:then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive, and the directions tend to $(0,1)$ and
-  $(0,-1)$ with $u$
-:method: Identities in $u$.
+:then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive.  The sine of the angle between $P'$ and $(0,1)$ before, $(0,-1)$ after, is
+  $\frac{2u}{\sqrt{1+4u^2}}<2u$, as small as one likes with $u$
+:method: Identities in $u$; the squares of $2u$ and of the sine differ by $\frac{16u^4}{1+4u^2}$, which is positive.  The angles are acute, as the second
+  components have the signs of $1$ and $-1$.
 :scope: the stated curve
 :over: u: -
 :control: the same direction on both sides
@@ -420,6 +431,11 @@ CLAIM(unit_tangent_jumps_at_the_cusp)
         G(power_derivatives)(3, dim, c, add(t, mul(from_int(side), u)), 1, D);
         same(T, D[2], mul(factor, mul(from_int(2), u)));
         same(T, D[3], mul(factor, from_int(fault(T, -side, -1))));
+        num fourfold = mul(from_int(4), mul(u, u)), length = G(norm_squared)(2, D + 2);
+        num gap = div(mul(fourfold, fourfold), add(from_int(1), fourfold));
+        about(T, "the squares of 2u and of the sine");
+        same(T, sub(fourfold, div(mul(D[2], D[2]), length)), gap);
+        G(must_be_positive)(T, gap);
     }
 }
 
