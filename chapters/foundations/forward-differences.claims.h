@@ -64,7 +64,7 @@ static num G(printed_difference)(int order, const num c[], num t, num delta)
 :::{claim} differences_of_a_cubic
 :title: The three forward differences of a cubic
 :zh: 三次曲线的各阶向前差分
-:given: any $A$, $B$, $C$, $D$, any $t$ and $\delta$
+:given: the cubic $P(t)=At^3+Bt^2+Ct+D$ with any $A$, $B$, $C$, $D$; any $t$ and $\delta$
 :then: $P(t+\delta)-P(t)$, $\Delta P(t+\delta)-\Delta P(t)$ and $\Delta^2P(t+\delta)-\Delta^2P(t)$ are the three printed expressions
 :method: The differences of the sums of powers at $t,\dots,t+3\delta$, everything a variable; one coordinate, any one.
 :over: x#: coefficients; d: δ
@@ -186,7 +186,7 @@ static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t
 :then: $\binom{x+1}k-\binom xk=\binom x{k-1}$, and $\binom{x+1}0-\binom x0=0$; $x\binom xk=(k+1)\binom x{k+1}+k\binom xk$, and $x\binom x0=\binom x1$, so that the
   powers of $x$ are sums of these functions, one after the other; so the $n$-th difference of $\sum_{k\le n}a_k\binom{t/\delta}k$ with the
   step $\delta\ne0$ is the constant $a_n$, and every further one is 0
-:method: Identities with $k$, $x$ and $c$ variables, $x=t/\delta$.  By the second one every polynomial of degree at most $n$ in $t$ is a sum of
+:method: Identities with $k$, $x$ and $c$ variables, $x=t/\delta$.  By that of $x\binom xk$ every polynomial of degree at most $n$ in $t$ is a sum of
   $\binom{t/\delta}0,\dots,\binom{t/\delta}n$, by induction.  With $\delta=0$ all differences are 0.
 :degrees: all
 :over: k c: -; x: t
@@ -535,7 +535,7 @@ TABLE_BY_SHIFTS(m)
 :::{claim} rows_by_shifts_are_the_table
 :title: The rows that are formed by shifts are the table to begin with, for every δ
 :zh: 移位所得各行即初始差分表
-:given: any $A,B,C,D$, one coordinate, any $\delta\ne0$; the rows $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
+:given: the cubic $P(t)=At^3+Bt^2+Ct+D$ with any $A,B,C,D$, one coordinate, any $\delta\ne0$; the rows $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
 :where: $\delta\ne0$
 :then: they are $P_0$, $\frac1\delta\Delta P_0$, $\frac1{\delta^2}\Delta^2P_0$, $\frac1{\delta^3}\Delta^3P_0$
 :method: The table by the kernel, divided by the powers of $\delta$, everything a variable.

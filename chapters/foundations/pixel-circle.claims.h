@@ -161,6 +161,7 @@ CLAIM(larger_difference_is_the_height)
         num across = sub(first[0], next[0]);
         about(T, "the difference of the abscissas");
         same(T, across, a);
+        G(must_be_positive)(T, a);
         nonnegative(T, sub(one, a));
         about(T, "the larger difference");
         same(T, fault(T, next[1], add(next[1], across)), one);

@@ -306,7 +306,7 @@ CLAIM(double_point_has_two_tangents)
 :::{statement} hu-1987:1-4-cusp-zero
 :title: At the cusp both derivatives vanish
 :zh: 尖点处导数为零
-:printed: At the cusp $\dot P(t)$ is the zero vector, that is $\dot x=0$, $\dot y=0$.
+:printed: At the cusp of $x=4t^3-6t^2+3t$, $y=-3t^2+3t$ the derivative $\dot P(t)$ is the zero vector, that is $\dot x=0$, $\dot y=0$.
 :holds-by: cusp_of_the_example_is_a_cusp
 :example: the sentence is about the cusp of this one curve.
 :figure: cusp_and_its_derivative
@@ -359,7 +359,7 @@ the direction, the velocity divided by its length, and this quotient is undefine
 :::{statement} hu-1987:1-4-cusp-continuity
 :title: At the cusp the derivative is discontinuous
 :zh: 尖点处导矢不连续
-:printed: At the cusp $\dot P(t)$ will be discontinuous and equal to the zero vector.
+:printed: At the cusp of $x=4t^3-6t^2+3t$, $y=-3t^2+3t$ the derivative $\dot P(t)$ will be discontinuous and equal to the zero vector.
 :refuted-by: derivative_is_continuous_at_the_cusp
 :class: false
 :corrected: $\dot P$ is continuous, as polynomials are, and zero at the cusp; the unit tangent $\dot P/|\dot P|$ has no limit there: it jumps
@@ -415,7 +415,7 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 :data: c = (0,0) (3,3) (-6,-3) (4,0); t = 1/2
 :then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive.  The sine of the angle between $P'$ and $(0,1)$ before, $(0,-1)$ after, is
   $\frac{2u}{\sqrt{1+4u^2}}<2u$, as small as one likes with $u$
-:method: Identities in $u$; the squares of $2u$ and of the sine differ by $\frac{16u^4}{1+4u^2}$, which is positive.  The angles are acute, as the second
+:method: Identities in $u$; the squares of $2u$ and of the sine differ by $\frac{(2u)^4}{1+(2u)^2}$, which is positive.  The angles are acute, as the second
   components have the signs of $1$ and $-1$.
 :scope: the stated curve
 :over: u: -
@@ -450,8 +450,8 @@ by what the point does after it, and this leads to the source's last example, wh
 :printed: At singular points, however, all kinds of abnormal cases will appear.
 :holds-by: cusp_of_the_example_is_a_cusp point_moves_forward_back_and_forward
 :meant: the examples that follow, each with an anomaly of its own | There are singular points with such cases, of more than one kind.
-:reading: cusp_of_the_example_is_a_cusp | there are such points: at a cusp the direction turns over
-:reading: point_moves_forward_back_and_forward | there are such points of another kind: on a line the point turns back
+:reading: cusp_of_the_example_is_a_cusp | there are singular points where the curve is abnormal: at a cusp its direction turns over
+:reading: point_moves_forward_back_and_forward | there are singular points where the motion is abnormal: on a line the point turns back
 :reading: singular_point_of_a_plain_segment | at every singular point something abnormal is seen
 :figure: singular_point_of_a_segment
 :::
@@ -575,7 +575,7 @@ $\phi(1-t)=1-\phi(t)$, and the next claim finds a curiosity: $\phi$ takes each o
 :::{statement} hu-1987:1-4-line-singular
 :title: The other parameter has two singular points
 :zh: 两个奇异点
-:printed: From $\dot x=0$ and $\dot y=0$ two singular points are found: $t=(5\pm\sqrt5)/10$.
+:printed: For $x=y=\phi(t)=10t^3-15t^2+6t$ two singular points are found from $\dot x=0$ and $\dot y=0$: $t=(5\pm\sqrt5)/10$.
 :holds-by: singular_parameters_of_the_line
 :figure: one_line_two_parameters
 :::
@@ -612,14 +612,14 @@ shows.
 :::{statement} hu-1987:1-4-line-motion
 :title: How the point moves along the line
 :zh: 点沿直线的运动
-:printed: From $t=0$ the point moves forward along the line with growing $t$; after $t$ has grown to $t_2=(5+\sqrt5)/10$, it again
+:printed: On $x=y=\phi(t)=10t^3-15t^2+6t$ the point moves forward along the line from $t=0$ with growing $t$; after $t$ has grown to $t_2=(5+\sqrt5)/10$, it again
   moves on forward along the line until the end, $t=1$.
 :refuted-by: point_moves_backward_in_between
 :class: misprint
 :corrected: The point moves forward on $[0,t_1]$, backward on $[t_1,t_2]$, and forward again on $[t_2,1]$, with
   $t_{1,2}=(5\mp\sqrt5)/10$.
 :corrected-by: point_moves_forward_back_and_forward singular_parameters_of_the_line
-:meant: the word again (又) | A clause about the way back is missing, to which that word refers.
+:meant: the word again (又), which has nothing to refer to as it stands | Before that the point moves back, in a clause that is missing.
 :figure: one_line_two_parameters
 :::
 */

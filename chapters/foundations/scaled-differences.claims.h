@@ -117,7 +117,7 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 :::{claim} scaled_table_is_as_printed
 :title: The rows of the table to begin with
 :zh: 初始差分
-:given: any $A,B,C,D$ in space, any $\delta\ne0$
+:given: the cubic $P(t)=At^3+Bt^2+Ct+D$ with any $A,B,C,D$ in space, any $\delta\ne0$
 :where: $\delta\ne0$
 :then: $P_0$, $\frac1\delta\Delta P_0$, $\frac1{\delta^2}\Delta^2P_0$, $\frac1{\delta^3}\Delta^3P_0$ are $D$, $A\delta^2+B\delta+C$, $6A\delta+2B$, $6A$, and $P_0,\dots,\Delta^3P_0$ are
   the rows of `power_differences`
@@ -202,7 +202,7 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :::{statement} hu-1987:1-4-fast
 :title: With powers of two the points are computed at high speed
 :zh: 步长为 2 的幂时高速计算
-:printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
+:printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by the formulas above, (1-4-4).
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table printed_divided_lines_step_a_cubic
   step_takes_differences_to_the_next_place table_after_any_number_of_steps table_is_whole_in_units_of_the_cube
 :confirmed-by: stepping_reaches_the_other_end stepping_is_exact_for_short_coefficients
