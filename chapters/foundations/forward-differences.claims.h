@@ -405,8 +405,8 @@ CLAIM(printed_lines_step_a_cubic) { G(compare_lines)(T, 0); }
 :zh: 三次曲线规格化差分表的四式
 :given: any coefficients of a cubic in space, any $t$ and $\delta\ne0$; the differences at $t$ and at $t+\delta$
 :where: $\delta\ne0$
-:then: $\frac1{\delta^k}\Delta^kP_1=\frac1{\delta^k}\Delta^kP_0+\delta\cdot\frac1{\delta^{k+1}}\Delta^{k+1}P_0$ for $k=0,1,2$ and
-  $\frac1{\delta^3}\Delta^3P_1=\frac1{\delta^3}\Delta^3P_0$
+:then: $\frac1{\delta^k}\cdot\Delta^kP_1=\frac1{\delta^k}\cdot\Delta^kP_0+\delta\cdot\frac1{\delta^{k+1}}\cdot\Delta^{k+1}P_0$ for $k=0,1,2$ and
+  $\frac1{\delta^3}\cdot\Delta^3P_1=\frac1{\delta^3}\cdot\Delta^3P_0$
 :method: Both sides by the alternating sums of the definition; no kernel is used.
 :degrees: 3..3
 :over: x# y# z#: coefficients; d: δ
@@ -537,7 +537,7 @@ TABLE_BY_SHIFTS(m)
 :zh: 移位所得各行即初始差分表
 :given: the cubic $P(t)=At^3+Bt^2+Ct+D$ with any $A,B,C,D$, one coordinate, any $\delta\ne0$; the rows $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
 :where: $\delta\ne0$
-:then: they are $P_0$, $\frac1\delta\Delta P_0$, $\frac1{\delta^2}\Delta^2P_0$, $\frac1{\delta^3}\Delta^3P_0$
+:then: they are $P_0$, $\frac1\delta\cdot\Delta P_0$, $\frac1{\delta^2}\cdot\Delta^2P_0$, $\frac1{\delta^3}\cdot\Delta^3P_0$
 :method: The table by the kernel, divided by the powers of $\delta$, everything a variable.
 :degrees: 3..3
 :over: c#: coefficients; d: δ

@@ -140,7 +140,7 @@ first at which it changes its side within the plane.  Lines have to be excepted,
 :corrected: Three is the lowest degree of the polynomial curves that leave every plane, and of the plane ones that are no lines and have an inflection.
 :corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
 :meant: the words, curves given by polynomials, with nothing added | All polynomial curves that are in use.
-:reading: quadratic_curve_is_in_use | of all polynomial curves
+:reading: quadratic_curve_is_in_use | of all polynomial curves that are in use
 :reading: quadratics_are_plane_and_turn_to_one_side | of those that leave every plane, or are no lines and have an inflection: of a lower degree there are none
 :figure: degrees_two_and_three
 

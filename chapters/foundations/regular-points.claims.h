@@ -175,8 +175,8 @@ CLAIM(polynomial_without_constant_is_small_near_zero)
 :where: $\dot P\ne0$
 :then: $q\times d=e\times d$ and $|e|^2|d|^2-|e\times d|^2=(e\cdot d)^2\ge0$, so that the sine of the angle of $q$ and $d$, $\frac{|q\times d|}{|q||d|}$, is at most
   $\frac{|e|}{|q|}$, where $|q|\ge|d|-|e|$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$.
-  For any $\eta>0$ the sine is less than $\eta$ where $|e|<\frac\eta{1+\eta}|d|$
-:method: Identities in the six coordinates.  With $|d|=b$ and $|e|=\frac{y\eta}{1+\eta}b$, $0<y<1$, the difference $\eta(b-|e|)-|e|=\eta(1-y)b$ is positive.  For
+  For any $\eta>0$ the sine is less than $\eta$ where $|e|<\frac\eta{1+\eta}\cdot|d|$
+:method: Identities in the six coordinates.  With $|d|=b$ and $|e|=\frac{y\eta}{1+\eta}\cdot b$, $0<y<1$, the difference $\eta(b-|e|)-|e|=\eta(1-y)b$ is positive.  For
   $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the derivative is that vector $d$ for which $|e|$ is less than any given number where $h$ is small enough, of either
   sign: so the sine is less than any $\eta>0$ there.  The direction of the chords has that of $d$ for its limit, and no other.
 :scope: curves with a derivative
@@ -619,7 +619,7 @@ shows.
 :corrected: The point moves forward on $[0,t_1]$, backward on $[t_1,t_2]$, and forward again on $[t_2,1]$, with
   $t_{1,2}=(5\mp\sqrt5)/10$.
 :corrected-by: point_moves_forward_back_and_forward singular_parameters_of_the_line
-:meant: the word again (又), which has nothing to refer to as it stands | Before that the point moves back, in a clause that is missing.
+:meant: the word again (又), which has nothing to refer to as it stands | Between the two motions forward the point moves back, in a clause that is missing.
 :figure: one_line_two_parameters
 :::
 */
