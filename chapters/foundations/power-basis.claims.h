@@ -121,8 +121,8 @@ CLAIM(intervals_of_the_parameter_separate_the_values)
   $t$, so that they are easy to compute.
 :holds-by: horner_step_keeps_the_sum
 :confirmed-by: horner_computes_the_sum_of_powers
-:meant: the reason that is given, a curve whose coordinates are explicit functions of $t$ | Of a curve, easy is: by inserting $t$, without an equation to be
-  solved; the functions are polynomials, as in the formulas that follow.
+:meant: the reason that is given, a curve whose coordinates are explicit functions of $t$, and what follows, curves given by polynomials | Of a curve, easy
+  is: by inserting $t$, without an equation to be solved; the functions are polynomials.
 
 The word printed is "surface", the reason is one for curves.
 :::
