@@ -117,7 +117,7 @@ CLAIM(intervals_of_the_parameter_separate_the_values)
 :::{statement} hu-1987:1-4-advantage-points
 :title: Points of a parametric curve are easily computed
 :zh: 曲线上点的计算容易
-:printed: Points of a surface (曲面) are easily computed: for a space curve $P(t)=[x(t)\;y(t)\;z(t)]$ $x$, $y$, $z$ are explicit functions of the parameter
+:printed: Points of a surface (曲面) are easily computed: for a space curve $P(t)=[x(t)\;y(t)\;z(t)]$ its $x$, $y$, $z$ are explicit functions of the parameter
   $t$, so that they are easy to compute.
 :holds-by: horner_step_keeps_the_sum
 :confirmed-by: horner_computes_the_sum_of_powers
