@@ -64,7 +64,7 @@ static num G(printed_difference)(int order, const num c[], num t, num delta)
 :::{claim} differences_of_a_cubic
 :title: The three forward differences of a cubic
 :zh: 三次曲线的各阶向前差分
-:given: any $A$, $B$, $C$, $D$, any $t$ and $\delta$
+:given: the cubic $P(t)=At^3+Bt^2+Ct+D$ with any $A$, $B$, $C$, $D$; any $t$ and $\delta$
 :then: $P(t+\delta)-P(t)$, $\Delta P(t+\delta)-\Delta P(t)$ and $\Delta^2P(t+\delta)-\Delta^2P(t)$ are the three printed expressions
 :method: The differences of the sums of powers at $t,\dots,t+3\delta$, everything a variable; one coordinate, any one.
 :over: x#: coefficients; d: δ
@@ -186,7 +186,7 @@ static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t
 :then: $\binom{x+1}k-\binom xk=\binom x{k-1}$, and $\binom{x+1}0-\binom x0=0$; $x\binom xk=(k+1)\binom x{k+1}+k\binom xk$, and $x\binom x0=\binom x1$, so that the
   powers of $x$ are sums of these functions, one after the other; so the $n$-th difference of $\sum_{k\le n}a_k\binom{t/\delta}k$ with the
   step $\delta\ne0$ is the constant $a_n$, and every further one is 0
-:method: Identities with $k$, $x$ and $c$ variables, $x=t/\delta$.  By the second one every polynomial of degree at most $n$ in $t$ is a sum of
+:method: Identities with $k$, $x$ and $c$ variables, $x=t/\delta$.  By that of $x\binom xk$ every polynomial of degree at most $n$ in $t$ is a sum of
   $\binom{t/\delta}0,\dots,\binom{t/\delta}n$, by induction.  With $\delta=0$ all differences are 0.
 :degrees: all
 :over: k c: -; x: t
@@ -246,7 +246,7 @@ CLAIM(differences_by_alternating_sums)
 :printed: $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at $t=i\delta$, and $P_1=P_0+\Delta P_0$.
 :refuted-by: step_from_zero_reaches_one_step_only
 :class: misprint
-:corrected: They are the differences at $t=\delta$.
+:corrected: $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at $t=\delta$.
 :corrected-by: printed_lines_step_a_cubic
 :confirmed-by: step_takes_differences_to_the_next_place additions_step_along_the_curve
 :figure: forward_differences
@@ -405,8 +405,8 @@ CLAIM(printed_lines_step_a_cubic) { G(compare_lines)(T, 0); }
 :zh: 三次曲线规格化差分表的四式
 :given: any coefficients of a cubic in space, any $t$ and $\delta\ne0$; the differences at $t$ and at $t+\delta$
 :where: $\delta\ne0$
-:then: $\frac1{\delta^k}\Delta^kP_1=\frac1{\delta^k}\Delta^kP_0+\delta\cdot\frac1{\delta^{k+1}}\Delta^{k+1}P_0$ for $k=0,1,2$ and
-  $\frac1{\delta^3}\Delta^3P_1=\frac1{\delta^3}\Delta^3P_0$
+:then: $\frac1{\delta^k}\cdot\Delta^kP_1=\frac1{\delta^k}\cdot\Delta^kP_0+\delta\cdot\frac1{\delta^{k+1}}\cdot\Delta^{k+1}P_0$ for $k=0,1,2$ and
+  $\frac1{\delta^3}\cdot\Delta^3P_1=\frac1{\delta^3}\cdot\Delta^3P_0$
 :method: Both sides by the alternating sums of the definition; no kernel is used.
 :degrees: 3..3
 :over: x# y# z#: coefficients; d: δ
@@ -493,11 +493,13 @@ and additions; with another step it is not.
 :zh: 差分法不用乘法
 :printed: With differences multiplications are not needed at all, only shifts and additions, so that the curve wanted can be generated at high speed.
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table step_takes_differences_to_the_next_place
-  table_after_any_number_of_steps
+  table_after_any_number_of_steps table_is_whole_in_units_of_the_cube
 :meant: the words "so that" (从而) | High speed is: without multiplications.
-:needs: other_steps_need_multiplications | $\delta=1/2^m$ a few lines below, with shifts and additions | $\delta=2^{-m}$: so that the
+:needs: other_steps_need_multiplications | the sentence behind (1-4-4), $\delta=1/2^m$ with a positive whole number $m$ | $\delta=2^{-m}$: so that the
   table (1-4-5) is begun by shifts, and the divided step (1-4-4) takes shifts.  The step (1-4-3) without division has additions only, whatever
   $\delta$ is.
+:hypothesis: short_words_lose_the_end | the machine's words are long enough: a shift that drops bits is no product, and the curve would be another one.  With $3m$ binary
+  places behind the point more than the coefficients have, and room before it, they hold every row exactly.  Words with 8 places may lose the end.
 :figure: stepping_and_rounding
 
 The table is made for each coordinate alone.  Products with a sum of few powers of two, such as $\frac34$, are shifts and additions as
@@ -531,11 +533,11 @@ TABLE_BY_SHIFTS(m)
 
 /*
 :::{claim} rows_by_shifts_are_the_table
-:title: The rows that are formed by shifts are the table to begin with, for every step
+:title: The rows that are formed by shifts are the table to begin with, for every δ
 :zh: 移位所得各行即初始差分表
-:given: any $A,B,C,D$, one coordinate, any $\delta\ne0$; the rows $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
+:given: the cubic $P(t)=At^3+Bt^2+Ct+D$ with any $A,B,C,D$, one coordinate, any $\delta\ne0$; the rows $D$, $(A\delta+B)\delta+C$, $2(A'\delta+B)$ and $2A'$ with $A'=2A+A$
 :where: $\delta\ne0$
-:then: they are $P_0$, $\frac1\delta\Delta P_0$, $\frac1{\delta^2}\Delta^2P_0$, $\frac1{\delta^3}\Delta^3P_0$
+:then: they are $P_0$, $\frac1\delta\cdot\Delta P_0$, $\frac1{\delta^2}\cdot\Delta^2P_0$, $\frac1{\delta^3}\cdot\Delta^3P_0$
 :method: The table by the kernel, divided by the powers of $\delta$, everything a variable.
 :degrees: 3..3
 :over: c#: coefficients; d: δ
@@ -585,7 +587,7 @@ static struct operations cost_of_step(trial *T, int n, int dim, int scaled, int 
 :where: $\delta=2^{-m}$
 :data: D = 3
 :then: `power_difference_step` costs $nd$ additions and nothing else, `power_scaled_difference_step` $nd$ additions and $nd$ shifts
-:method: The kernels are run in the number type that counts, which knows of a step only that it is a power of two.
+:method: The kernels are run in the number type that counts, which knows of $\delta$ only that it is a power of two.
 :degrees: 1..12
 :scope: one to three coordinates
 :control: one addition more in the unscaled step, one shift more in the scaled one
@@ -611,8 +613,8 @@ CLAIM(step_costs_additions_only)
 :data: δ = 1/256
 :then: shifts and additions, and no multiplication
 :result: shifts = 6; additions = 4; multiplications = 0
-:method: The rows are formed in the number type that counts, which knows of a step only that it is a power of two, and beside it in rationals for
-  one.  That they are the printed ones for every step is `rows_by_shifts_are_the_table`.
+:method: The rows are formed in the number type that counts, which knows of $\delta$ only that it is a power of two, and beside it in rationals for
+  one $\delta$.  That they are the printed ones for every $\delta$ is `rows_by_shifts_are_the_table`.
 :degrees: 3..3
 :control: a step that is no power of two
 :::

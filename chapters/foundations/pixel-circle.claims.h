@@ -17,11 +17,13 @@ should be as far as one pixel (象素).
   continually, here about the $z$-axis, gives a circle as well.
 :holds-by: rotation_matrix_adds_the_angle rotated_points_are_equally_spaced
 :meant: the words of the first way, by which points of the circle at equal angles are computed (圆周上一系列等角度分布的点) | A circle is given by
-  points: all of them are on one circle, each is turned by $\theta$ from the one before.
-:needs: centre_is_never_turned | the sentence after it, $y_1=r\sin\theta=1$ | $A_0\ne(0,0)$
+  points: all of them are on one circle, and each is another point than the one before, from which it is turned by $\theta$.
+:needs: centre_is_never_turned | the sentence after it, $y_1=r\sin\theta=1$ | $P_0=(x_0,y_0)\ne(0,0)$
 :needs: angle_zero_turns_no_point | the angle of the sentence after it, $\theta=\sin^{-1}\frac1r$ | $\theta$ is no
   multiple of $2\pi$
 :figure: three_generators
+
+The claims call the angle of one step $\Delta\theta$, as the first way does; here it is $\theta$.
 :::
 
 The pixel is measured in two ways in one sentence, as the height of the second point and as its distance from the first.
@@ -159,6 +161,7 @@ CLAIM(larger_difference_is_the_height)
         num across = sub(first[0], next[0]);
         about(T, "the difference of the abscissas");
         same(T, across, a);
+        G(must_be_positive)(T, a);
         nonnegative(T, sub(one, a));
         about(T, "the larger difference");
         same(T, fault(T, next[1], add(next[1], across)), one);
@@ -176,9 +179,12 @@ and the positive root.
 :printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
 :holds-by: third_matrix_by_the_radius
 :confirmed-by: distance_of_the_first_two_points
-:needs: negative_cosine_is_not_the_root | the sentence before it, by which the two points are to be one pixel apart, so that the angle is small |
-    $0<\theta\le\frac\pi2$; as for a small step
+:needs: negative_cosine_is_not_the_root | the words before it, that the two points are to be one pixel apart; for an obtuse angle they are more than $\sqrt2$ pixels apart |
+    $0<\theta\le\frac\pi2$
 :figure: step_of_the_third_way
+
+With $r\sin\theta=1$ the square of the distance of the two points is $1+\tan^2\frac\theta2$, by `distance_of_the_first_two_points`; for an obtuse angle, whose
+half has a tangent greater than 1, that is more than 2.
 :::
 
 :::{statement} hu-1987:1-3-third-matrix
@@ -187,7 +193,7 @@ and the positive root.
 :printed: With $\sin\theta=\varepsilon=\frac1r$, $\cos\theta=\sqrt{1-\sin^2\theta}=\sqrt{1-\varepsilon^2}$:
   $R=\begin{bmatrix}\sqrt{1-\varepsilon^2}&\varepsilon\\-\varepsilon&\sqrt{1-\varepsilon^2}\end{bmatrix}=\begin{bmatrix}\sqrt{r^2-1}/r&1/r\\-1/r&\sqrt{r^2-1}/r\end{bmatrix}$
 :holds-by: third_matrix_by_the_radius
-:needs: negative_cosine_is_not_the_root | the sentence before it, by which the two points are to be one pixel apart, so that the angle is small |
+:needs: negative_cosine_is_not_the_root | the angle of the sentence before it, $\theta=\sin^{-1}\frac1r$, where $r$ is a radius |
   $0<\theta\le\frac\pi2$; so that the cosine is the root that is not negative
 :figure: step_of_the_third_way
 :::
@@ -196,8 +202,8 @@ and the positive root.
 :title: The three forms of the matrix agree
 :zh: 第三种方法矩阵的三种形式
 :given: $0<\theta\le\frac\pi2$ with the tangent $a$ of its half, $0<a\le1$; $\varepsilon=\sin\theta$, $r=\frac1{\sin\theta}$
-:then: $1-\varepsilon^2=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta\ge0$, so that $\theta=\sin^{-1}\frac1r$; the other entries of the
-  rotation matrix are $\varepsilon=\frac1r$ and $-\varepsilon=-\frac1r$, its determinant is 1
+:then: $1-\varepsilon^2=\cos^2\theta$ and $(r^2-1)/r^2=\cos^2\theta$, with $\cos\theta\ge0$, so that $\theta=\sin^{-1}\frac1r$; the rotation
+  matrix has $\cos\theta$ twice in the diagonal, its other entries are $\varepsilon=\frac1r$ and $-\varepsilon=-\frac1r$, its determinant is 1
 :method: Identities in $a=\frac\alpha{1+\alpha}$, $\alpha>0$, by which the cosine is positive, and for $a=1$, where it is 0: it is the root.
 :scope: $0<\theta\le\frac\pi2$
 :harmless: $0<a\le1$ | it is $0<\theta\le\frac\pi2$, $a=\tan\frac\theta2$
@@ -215,6 +221,8 @@ CLAIM(third_matrix_by_the_radius)
         same(T, sub(one, mul(epsilon, epsilon)), square);
         same(T, div(fault(T, sub(rr, one), add(rr, one)), rr), square);
         nonnegative(T, angle.cos);
+        same(T, M[0], angle.cos);
+        same(T, M[3], angle.cos);
         same(T, M[1], epsilon);
         same(T, M[1], div(one, r));
         same(T, M[2], neg(M[1]));

@@ -27,6 +27,9 @@ section says what such a curve is good for, and counts the first two; the table 
 :meant: the slope $dy/dx$, which is that of a function $y$ of $x$ | The form that is not parametric is $y=f(x)$.
 :example: two problems are named that can occur, and one curve has both.
 :figure: infinite_slope_and_two_values
+
+A function of $x$ has one value at an $x$, and a graph no vertical tangent where the function has a derivative; this curve has two points over $x=\frac14$, and
+a vertical tangent at $t=\frac12$.
 :::
 */
 
@@ -114,12 +117,12 @@ CLAIM(intervals_of_the_parameter_separate_the_values)
 :::{statement} hu-1987:1-4-advantage-points
 :title: Points of a parametric curve are easily computed
 :zh: 曲线上点的计算容易
-:printed: Points of a surface (曲面) are easily computed: for a space curve $P(t)=[x(t)\;y(t)\;z(t)]$ $x$, $y$, $z$ are explicit functions of the parameter
+:printed: Points of a surface (曲面) are easily computed: for a space curve $P(t)=[x(t)\;y(t)\;z(t)]$ its $x$, $y$, $z$ are explicit functions of the parameter
   $t$, so that they are easy to compute.
 :holds-by: horner_step_keeps_the_sum
 :confirmed-by: horner_computes_the_sum_of_powers
-:meant: the reason that is given, a curve whose coordinates are explicit functions of $t$ | Of a curve, easy is: by inserting $t$, without an equation to be
-  solved; the functions are polynomials, as in the formulas that follow.
+:meant: the reason that is given, a curve whose coordinates are explicit functions of $t$, and what follows, curves given by polynomials | Of a curve, easy
+  is: by inserting $t$, without an equation to be solved; the functions are polynomials.
 
 The word printed is "surface", the reason is one for curves.
 :::
@@ -134,13 +137,11 @@ first at which it changes its side within the plane.  Lines have to be excepted,
 :printed: In CAGD the lowest degree of parametric curves given by polynomials is three.
 :refuted-by: quadratic_curve_is_in_use
 :class: false
-:corrected: Three is the lowest degree of the polynomial curves that leave every plane, and of the plane ones with an inflection.
+:corrected: Three is the lowest degree of the polynomial curves that leave every plane, and of the plane ones that are no lines and have an inflection.
 :corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
 :meant: the words, curves given by polynomials, with nothing added | All polynomial curves that are in use.
-:reading: quadratic_curve_is_in_use | of all polynomial curves
+:reading: quadratic_curve_is_in_use | of all polynomial curves that are in use
 :reading: quadratics_are_plane_and_turn_to_one_side | of those that leave every plane, or are no lines and have an inflection: of a lower degree there are none
-:hypothesis: lines_of_lower_degree_have_curvature_zero | the curve with an inflection is no line: in the correction; a line has curvature 0
-  everywhere.
 :figure: degrees_two_and_three
 
 The table of contents of the source has a section on uniform quadratic and cubic B-spline surfaces (§ 6-2).
@@ -412,7 +413,7 @@ claims carries no values at all and counts the operations of the very kernel tha
 :::{statement} hu-1987:1-4-horner-count
 :title: Horner's rule saves half of the multiplications
 :zh: 乘法次数由六次减为三次
-:printed: So the number of multiplications in computing is reduced from the former 6 to 3.
+:printed: In this way, by (1-4-2), the number of multiplications in computing is reduced from the former 6 to 3.
 :holds-by: multiplications_are_six_and_three
 :confirmed-by: multiplications_with_kept_powers
 :meant: the count of 6, which only powers multiplied out one by one have | The powers of $At^3+Bt^2+Ct+D$ are multiplied out one by one, and one

@@ -76,11 +76,14 @@ the line that turns back, the trouble begins where the point stands still.
 :printed: If for a curve $P(t)$ ($a\le t\le b$) all derivatives of $x(t),y(t),z(t)$ "of order $r$ that are positive" (所有 r 阶为正的导数) exist and are
   continuous, and the regularity condition above is satisfied, the curve is called continuous of class $C^r$.
 :checked-by: cusp_of_the_example_is_a_cusp
+:confirmed-by: natural_line_is_regular
 :example: a curve whose coordinates are polynomials, and which is of no class on $[0,1]$.
 :meant: the usual notion of the class $C^r$, as the words are out of order | The derivatives of the orders 1 to $r$.
 :figure: cusp_and_its_derivative
 
 The curve of the example has the derivative 0 at $t=\frac12$, so that by this definition it is of no class on an interval that contains this parameter.
+The line $x=y=t$ has the derivative $(1,1)$ and all further ones 0, so that it is of every class $C^r$, $r\ge1$, on every interval:
+`natural_line_is_regular`.
 :::
 
 The source next asks what regularity is good for, and answers: for a tangent.  That is the limit of chords, which have
@@ -171,11 +174,13 @@ CLAIM(polynomial_without_constant_is_small_near_zero)
 :given: a vector $d\ne0$ of space, and another one, $q=d+e$, any $e$
 :where: $\dot P\ne0$
 :then: $q\times d=e\times d$ and $|e|^2|d|^2-|e\times d|^2=(e\cdot d)^2\ge0$, so that the sine of the angle of $q$ and $d$, $\frac{|q\times d|}{|q||d|}$, is at most
-  $\frac{|e|}{|q|}$, where $|q|\ge|d|-|e|$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$
-:method: Identities in the six coordinates.  With $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the vector $e$ tends to 0 with $h$, from either side: that is what the
-  derivative is.  So the directions of the chords tend to that of $d$, and to no other.
+  $\frac{|e|}{|q|}$, where $|q|\ge|d|-|e|$; and $q\cdot d=|d|^2+e\cdot d$, so that the angle is acute for $|e|<|d|$.
+  For any $\eta>0$ the sine is less than $\eta$ where $|e|<\frac\eta{1+\eta}\cdot|d|$
+:method: Identities in the six coordinates.  With $|d|=b$ and $|e|=\frac{y\eta}{1+\eta}\cdot b$, $0<y<1$, the difference $\eta(b-|e|)-|e|=\eta(1-y)b$ is positive.  For
+  $d=\dot P(t_0)$ and $q=\frac{P(t_0+h)-P(t_0)}h$ the derivative is that vector $d$ for which $|e|$ is less than any given number where $h$ is small enough, of either
+  sign: so the sine is less than any $\eta>0$ there.  The direction of the chords has that of $d$ for its limit, and no other.
 :scope: curves with a derivative
-:over: u# v#: -
+:over: u# v# b y n: -
 :control: the vector product taken in the other order
 :::
 */
@@ -201,6 +206,11 @@ CLAIM(direction_is_near_where_the_vector_is)
     same(T, sub(squares, G(norm_squared)(space, of_e)), mul(along, along));
     about(T, "the scalar product");
     same(T, G(dot)(space, q, d), add(G(norm_squared)(space, d), along));
+    num b = positive(T, "b", 0), eta = positive(T, "n", 0), y = inside(T, "y"), one = from_int(1);
+    num size = mul(div(mul(y, eta), add(one, eta)), b), room = mul(mul(eta, sub(one, y)), b);
+    about(T, "as small as one likes");
+    same(T, sub(mul(eta, sub(b, size)), size), room);
+    G(must_be_positive)(T, room);
 }
 
 #if FIELD
@@ -296,7 +306,7 @@ CLAIM(double_point_has_two_tangents)
 :::{statement} hu-1987:1-4-cusp-zero
 :title: At the cusp both derivatives vanish
 :zh: 尖点处导数为零
-:printed: At the cusp $\dot P(t)$ is the zero vector, that is $\dot x=0$, $\dot y=0$.
+:printed: At the cusp of $x=4t^3-6t^2+3t$, $y=-3t^2+3t$ the derivative $\dot P(t)$ is the zero vector, that is $\dot x=0$, $\dot y=0$.
 :holds-by: cusp_of_the_example_is_a_cusp
 :example: the sentence is about the cusp of this one curve.
 :figure: cusp_and_its_derivative
@@ -349,7 +359,7 @@ the direction, the velocity divided by its length, and this quotient is undefine
 :::{statement} hu-1987:1-4-cusp-continuity
 :title: At the cusp the derivative is discontinuous
 :zh: 尖点处导矢不连续
-:printed: At the cusp $\dot P(t)$ will be discontinuous and equal to the zero vector.
+:printed: At the cusp of $x=4t^3-6t^2+3t$, $y=-3t^2+3t$ the derivative $\dot P(t)$ will be discontinuous and equal to the zero vector.
 :refuted-by: derivative_is_continuous_at_the_cusp
 :class: false
 :corrected: $\dot P$ is continuous, as polynomials are, and zero at the cusp; the unit tangent $\dot P/|\dot P|$ has no limit there: it jumps
@@ -403,9 +413,10 @@ CLAIM(derivative_is_continuous_at_the_cusp)
 :zh: 单位切矢在尖点处反向
 :given: the curve of the example, $P(t)=\sum_kc_kt^k$, at $t-u$ and $t+u$, where $t$ is the parameter of the cusp and $u>0$
 :data: c = (0,0) (3,3) (-6,-3) (4,0); t = 1/2
-:then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive, and the directions tend to $(0,1)$ and
-  $(0,-1)$ with $u$
-:method: Identities in $u$.
+:then: $P'=6u\,(2u,1)$ before and $P'=6u\,(2u,-1)$ after; the factors $6u$ are positive.  The sine of the angle between $P'$ and $(0,1)$ before, $(0,-1)$ after, is
+  $\frac{2u}{\sqrt{1+4u^2}}<2u$, as small as one likes with $u$
+:method: Identities in $u$; the squares of $2u$ and of the sine differ by $\frac{(2u)^4}{1+(2u)^2}$, which is positive.  The angles are acute, as the second
+  components have the signs of $1$ and $-1$.
 :scope: the stated curve
 :over: u: -
 :control: the same direction on both sides
@@ -420,6 +431,11 @@ CLAIM(unit_tangent_jumps_at_the_cusp)
         G(power_derivatives)(3, dim, c, add(t, mul(from_int(side), u)), 1, D);
         same(T, D[2], mul(factor, mul(from_int(2), u)));
         same(T, D[3], mul(factor, from_int(fault(T, -side, -1))));
+        num fourfold = mul(from_int(4), mul(u, u)), length = G(norm_squared)(2, D + 2);
+        num gap = div(mul(fourfold, fourfold), add(from_int(1), fourfold));
+        about(T, "the squares of 2u and of the sine");
+        same(T, sub(fourfold, div(mul(D[2], D[2]), length)), gap);
+        G(must_be_positive)(T, gap);
     }
 }
 
@@ -434,8 +450,8 @@ by what the point does after it, and this leads to the source's last example, wh
 :printed: At singular points, however, all kinds of abnormal cases will appear.
 :holds-by: cusp_of_the_example_is_a_cusp point_moves_forward_back_and_forward
 :meant: the examples that follow, each with an anomaly of its own | There are singular points with such cases, of more than one kind.
-:reading: cusp_of_the_example_is_a_cusp | there are such points: at a cusp the direction turns over
-:reading: point_moves_forward_back_and_forward | there are such points of another kind: on a line the point turns back
+:reading: cusp_of_the_example_is_a_cusp | there are singular points where the curve is abnormal: at a cusp its direction turns over
+:reading: point_moves_forward_back_and_forward | there are singular points where the motion is abnormal: on a line the point turns back
 :reading: singular_point_of_a_plain_segment | at every singular point something abnormal is seen
 :figure: singular_point_of_a_segment
 :::
@@ -559,7 +575,7 @@ $\phi(1-t)=1-\phi(t)$, and the next claim finds a curiosity: $\phi$ takes each o
 :::{statement} hu-1987:1-4-line-singular
 :title: The other parameter has two singular points
 :zh: 两个奇异点
-:printed: From $\dot x=0$ and $\dot y=0$ two singular points are found: $t=(5\pm\sqrt5)/10$.
+:printed: For $x=y=\phi(t)=10t^3-15t^2+6t$ two singular points are found from $\dot x=0$ and $\dot y=0$: $t=(5\pm\sqrt5)/10$.
 :holds-by: singular_parameters_of_the_line
 :figure: one_line_two_parameters
 :::
@@ -596,14 +612,14 @@ shows.
 :::{statement} hu-1987:1-4-line-motion
 :title: How the point moves along the line
 :zh: 点沿直线的运动
-:printed: From $t=0$ the point moves forward along the line with growing $t$; after $t$ has grown to $t_2=(5+\sqrt5)/10$, it again
+:printed: On $x=y=\phi(t)=10t^3-15t^2+6t$ the point moves forward along the line from $t=0$ with growing $t$; after $t$ has grown to $t_2=(5+\sqrt5)/10$, it again
   moves on forward along the line until the end, $t=1$.
 :refuted-by: point_moves_backward_in_between
 :class: misprint
 :corrected: The point moves forward on $[0,t_1]$, backward on $[t_1,t_2]$, and forward again on $[t_2,1]$, with
   $t_{1,2}=(5\mp\sqrt5)/10$.
 :corrected-by: point_moves_forward_back_and_forward singular_parameters_of_the_line
-:meant: the word again (又) | A clause about the way back is missing, to which that word refers.
+:meant: the word again (又), which has nothing to refer to as it stands | Between the two motions forward the point moves back, in a clause that is missing.
 :figure: one_line_two_parameters
 :::
 */

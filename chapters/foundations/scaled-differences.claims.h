@@ -19,9 +19,9 @@ step, which makes them as large as the coefficients, and begins the table with t
 :::{statement} hu-1987:1-4-small-differences
 :title: The differences after the third are small
 :zh: 高阶差分已相当小
-:printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have become rather small.
+:printed: For $\delta=1/2^8$ the differences after $\Delta^3P_0$ have in fact become rather small.
 :holds-by: third_difference_loses_three_bytes
-:meant: the next line, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, which are then
+:meant: the next sentence, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, which are then
   of the size of the coefficients | Against the coefficients of the curve these differences are small, the third as well.
 :reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0
 :reading: third_difference_loses_three_bytes | from the third on, against the coefficients: $6A/2^{24}$
@@ -90,17 +90,17 @@ CLAIM(third_difference_exceeds_the_first)
 /*
 Small compared with what?  With the coefficients, the third difference is small as the cube of the step.  With the other
 differences it need not be: for $t^3$ it is larger than the first.  What matters to a machine is the comparison with the
-coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
+coefficients, and it suggests to keep $\frac1{\delta^k}\cdot\Delta^kP$ instead.
 
 :::{statement} hu-1987:1-4-4
 :title: The step of the scaled table
 :zh: 规格化差分的递推
-:printed: $P_1=P_0+\delta\bigl(\frac1\delta\Delta P_0\bigr)$, $\frac1\delta\Delta P_1=\frac1\delta\Delta
-  P_0+\delta\bigl(\frac1{\delta^2}\Delta^2P_0\bigr)$, $\frac1{\delta^2}\Delta^2P_1=\frac1{\delta^2}\Delta^2P_0+\delta\bigl(\frac1{\delta^3}\Delta^3P_0\bigr)$,
-  $\frac1{\delta^3}\Delta^3P_1=\frac1{\delta^3}\Delta^3P_0$
+:printed: $P_1=P_0+\delta\bigl(\frac1\delta\cdot\Delta P_0\bigr)$, $\frac1\delta\cdot\Delta P_1=\frac1\delta\cdot\Delta
+  P_0+\delta\bigl(\frac1{\delta^2}\cdot\Delta^2P_0\bigr)$, $\frac1{\delta^2}\cdot\Delta^2P_1=\frac1{\delta^2}\cdot\Delta^2P_0+\delta\bigl(\frac1{\delta^3}\cdot\Delta^3P_0\bigr)$,
+  $\frac1{\delta^3}\cdot\Delta^3P_1=\frac1{\delta^3}\cdot\Delta^3P_0$
 :holds-by: printed_divided_lines_step_a_cubic
 :confirmed-by: step_takes_differences_to_the_next_place
-:meant: the sentence before, by which additions lead from $t=0$ to $\delta,2\delta,\dots$ one after the other | $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at
+:meant: the words before, by which additions lead from $t=0$ to $\delta,2\delta,\dots$ one after the other | $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at
   $t=\delta$, not at the $t=i\delta$ that is printed for them.
 :figure: forward_differences
 :::
@@ -108,8 +108,8 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 :::{statement} hu-1987:1-4-5
 :title: The table to begin with
 :zh: 初始差分矩阵
-:printed: \begin{bmatrix}P_0\\\frac1\delta\Delta
-  P_0\\\frac1{\delta^2}\Delta^2P_0\\\frac1{\delta^3}\Delta^3P_0\end{bmatrix}=\begin{bmatrix}D\\A\delta^2+B\delta+C\\6A\delta+2B\\6A\end{bmatrix}
+:printed: \begin{bmatrix}P_0\\\frac1\delta\cdot\Delta
+  P_0\\\frac1{\delta^2}\cdot\Delta^2P_0\\\frac1{\delta^3}\cdot\Delta^3P_0\end{bmatrix}=\begin{bmatrix}D\\A\delta^2+B\delta+C\\6A\delta+2B\\6A\end{bmatrix}
 :holds-by: scaled_table_is_as_printed
 :figure: forward_differences
 :::
@@ -117,9 +117,9 @@ coefficients, and it suggests to keep $\frac1{\delta^k}\Delta^kP$ instead.
 :::{claim} scaled_table_is_as_printed
 :title: The rows of the table to begin with
 :zh: 初始差分
-:given: any $A,B,C,D$ in space, any $\delta\ne0$
+:given: the cubic $P(t)=At^3+Bt^2+Ct+D$ with any $A,B,C,D$ in space, any $\delta\ne0$
 :where: $\delta\ne0$
-:then: $P_0$, $\frac1\delta\Delta P_0$, $\frac1{\delta^2}\Delta^2P_0$, $\frac1{\delta^3}\Delta^3P_0$ are $D$, $A\delta^2+B\delta+C$, $6A\delta+2B$, $6A$, and $P_0,\dots,\Delta^3P_0$ are
+:then: $P_0$, $\frac1\delta\cdot\Delta P_0$, $\frac1{\delta^2}\cdot\Delta^2P_0$, $\frac1{\delta^3}\cdot\Delta^3P_0$ are $D$, $A\delta^2+B\delta+C$, $6A\delta+2B$, $6A$, and $P_0,\dots,\Delta^3P_0$ are
   the rows of `power_differences`
 :method: Differences of differences from $P(0),P(\delta),P(2\delta),P(3\delta)$, by the definition, against the printed expressions and the kernel, everything a variable.
 :over: x# y# z#: coefficients; d: δ
@@ -161,7 +161,8 @@ belongs to the first, the formulas that stand above the sentence to the second.
 :printed: Written as a matrix, the formulas above give the $4\times3$ matrix of differences (1-4-5).
 :holds-by: scaled_table_is_as_printed
 :confirmed-by: step_multiplies_by_a_square_matrix
-:meant: the formula (1-4-5) that follows, and the number $4\times3$ | The differences at $t=0$ as rows, each with the three coordinates of space.
+:meant: the formula (1-4-5) that follows, and the number $4\times3$ | The formulas above are those of the differences, at $t=0$ and divided by the powers of
+  $\delta$; each difference is a row with the three coordinates of space.
 :figure: forward_differences
 
 The step (1-4-4), which stands above the sentence, has a matrix as well, with four rows and four columns:
@@ -201,14 +202,14 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :::{statement} hu-1987:1-4-fast
 :title: With powers of two the points are computed at high speed
 :zh: 步长为 2 的幂时高速计算
-:printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by these formulas.
+:printed: With $\delta=1/2^m$, $m$ a positive whole number, the points of the curve are computed at high speed by the formulas above, (1-4-4).
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table printed_divided_lines_step_a_cubic
   step_takes_differences_to_the_next_place table_after_any_number_of_steps table_is_whole_in_units_of_the_cube
 :confirmed-by: stepping_reaches_the_other_end stepping_is_exact_for_short_coefficients
 :meant: the words before the table, with shifts and additions only, and thereby (从而) at high speed | High speed is: with shifts and additions
   in the place of products.
-:hypothesis: short_words_lose_the_end | the words are long enough: with $3m$ binary places behind the point more than the coefficients have, and room before
-  it, they hold every row exactly, `table_is_whole_in_units_of_the_cube`.  Words with 8 places may lose the end.
+:hypothesis: short_words_lose_the_end | the machine's words are long enough: a shift that drops bits is no product, and the curve would be another one.  With $3m$ binary
+  places behind the point more than the coefficients have, and room before it, they hold every row exactly.  Words with 8 places may lose the end.
 :figure: stepping_and_rounding
 :::
 
@@ -395,7 +396,7 @@ CLAIM(stepping_loses_what_horner_keeps)
   row, and of every product with $\delta$, so many binary places are kept as `places` says, and the rest is cut off
 :data: c = 0 0 0 1/8; δ = 1/256; places = 8; n = 256
 :instead: places = 27
-:then: the rows $\frac1\delta\Delta P_0$ and $\frac1{\delta^2}\Delta^2P_0$ are cut to 0, and so is every product with $\delta$: the last point is $P(0)$ in the place of $P(1)$
+:then: the rows $\frac1\delta\cdot\Delta P_0$ and $\frac1{\delta^2}\cdot\Delta^2P_0$ are cut to 0, and so is every product with $\delta$: the last point is $P(0)$ in the place of $P(1)$
 :result: table, cut = 0 0 0 3/4; last point = 0; P(1) = 1/8
 :method: The table by the kernel, divided by the powers of $\delta$ and cut; then the four lines of (1-4-4), with each product cut.
 :control: places enough to hold every row

@@ -366,7 +366,7 @@ putting in the example's $m$.
 :::{statement} hu-1987:1-3-error-approximation
 :title: The error is about the reciprocal of a power of two
 :zh: 误差的近似值
-:printed: For $\varepsilon=2^{-m}=2\sin\frac{\Delta\theta}2$: $E\approx\frac1{2^{m+1}}\times100(\%)$.
+:printed: For $\varepsilon=2^{-m}=2\sin\frac{\Delta\theta}2$: $E=\Bigl(\cos\frac{\Delta\theta}2\Big/\sqrt{1-\sin\frac{\Delta\theta}2}-1\Bigr)\times100(\%)\approx\frac1{2^{m+1}}\times100(\%)$.
 :refuted-by: printed_error_is_twice_the_error
 :class: misprint
 :corrected: $E\approx\frac1{2^{m+2}}\times100(\%)$; more exactly, and without the per cent, $\frac s2-\frac{s^2}8<E<\frac s2$ with
