@@ -129,6 +129,7 @@ typedef struct statement_link {
     role role;
     const char *claim, *place, *text;
     const char *condition; /* of a hypothesis: what it asks, the first clause of the text; else NULL */
+    const char *letters;   /* of a reading: its own and those of its statement; else NULL            */
 } statement_link;
 
 typedef struct statement {

@@ -108,6 +108,8 @@ static struct gathering gather_reading(const statement_link *reading, const clai
 finding finding_of_reading(const statement_link *reading, const claim_result *results, int count, const char *letter)
 {
     struct gathering g = gather_reading(reading, results, count);
+    if (reading->letters != NULL)
+        leave_letters(&g.scope, reading->letters);
     return found(&g, letter, 0);
 }
 

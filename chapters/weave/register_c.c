@@ -177,12 +177,12 @@ static void put_claims(FILE *out, const struct book *book)
 
 /* ---- statements ------------------------------------------------------------------------------------ */
 
-static void put_link(FILE *out, int r, const struct link *link)
+static void put_link(FILE *out, int r, const struct link *link, const char *letters)
 {
     const char *condition = r == HYPOTHESIS || r == NEEDS ? first_clause(link->text) : NULL;
-    const char *const parts[] = {link->claim, link->place, link->text, condition};
+    const char *const parts[] = {link->claim, link->place, link->text, condition, letters};
     fprintf(out, "    {%s", role_tags[r]);
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 5; k++) {
         fputs(", ", out);
         if (parts[k] != NULL)
             put_string(out, parts[k]);
@@ -190,25 +190,6 @@ static void put_link(FILE *out, int r, const struct link *link)
             fputs("NULL", out);
     }
     fputs("},\n", out);
-}
-
-static void put_links(FILE *out, const struct block *b, int index)
-{
-    fprintf(out, "static const statement_link links_%d[] = {\n", index);
-    for (int k = 0; k < b->options; k++) {
-        int r = role_of(b->option[k].key);
-        if (r == ROLES)
-            continue;
-        if (form_of(r) != CLAIM_LIST) {
-            struct link link = read_link(b->option[k].value, form_of(r));
-            put_link(out, r, &link);
-        } else {
-            char *words = whole_copy(b->option[k].value);
-            for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " "))
-                put_link(out, r, &(struct link){word, NULL, whole_copy("")});
-        }
-    }
-    fputs("    {HOLDS_BY, NULL, NULL, NULL, NULL}};\n", out);
 }
 
 /* Whether the letter there is the index of a sum that begins with it: i in \sum_{i=0}^n, \sum_i. */
@@ -263,6 +244,26 @@ static char *letters_of_statement(const struct book *book, const struct block *b
     return shape != NULL && !has_word(letters, shape) ? joined(letters, ' ', shape) : letters;
 }
 
+static void put_links(FILE *out, const struct book *book, const struct block *b, int index)
+{
+    fprintf(out, "static const statement_link links_%d[] = {\n", index);
+    for (int k = 0; k < b->options; k++) {
+        int r = role_of(b->option[k].key);
+        if (r == ROLES)
+            continue;
+        if (form_of(r) != CLAIM_LIST) {
+            struct link link = read_link(b->option[k].value, form_of(r));
+            char *letters = r == READING ? with_letters(letters_of_statement(book, b), link.text) : NULL;
+            put_link(out, r, &link, letters);
+        } else {
+            char *words = whole_copy(b->option[k].value);
+            for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " "))
+                put_link(out, r, &(struct link){word, NULL, whole_copy("")}, NULL);
+        }
+    }
+    fputs("    {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};\n", out);
+}
+
 /* What a statement calls the degree: the letter of its source, or, where the statement does not have it, what the source counts
  * with it, "degree" or "order". */
 static const char *name_of_degree(const struct book *book, const struct block *b, const char *letters)
@@ -299,7 +300,7 @@ static void put_statements(FILE *out, const struct book *book)
 {
     for (int k = 0; k < book->blocks; k++)
         if (book->block[k].kind == STATEMENT_BLOCK)
-            put_links(out, &book->block[k], k);
+            put_links(out, book, &book->block[k], k);
     fputs("\nstatic const statement statements[] = {\n", out);
     for (int k = 0; k < book->blocks; k++)
         if (book->block[k].kind == STATEMENT_BLOCK)

@@ -152,7 +152,7 @@ enum { GOOD = 7 };
 #define LINKS(...)                                                                                                     \
     (const statement_link[])                                                                                           \
     {                                                                                                                  \
-        __VA_ARGS__, { HOLDS_BY, NULL, NULL, NULL, NULL }                                                              \
+        __VA_ARGS__, { HOLDS_BY, NULL, NULL, NULL, NULL, NULL }                                                              \
     }
 static const statement good_statements[] = {
     {STATEMENT("1", "book", 1, "", "", "As in [paper]", "picture"),
@@ -166,11 +166,11 @@ static const statement good_statements[] = {
                                                                {HYPOTHESIS, "three_is_four", NULL, "$x > 0$", NULL},
                                                                {NEEDS, "three_is_four", "page 7", "$y > 0$", NULL})},
     {STATEMENT("longer-than-others", "book", 9, "", "", "", ""), .is_definition = 1,
-     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL})},
+     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL, NULL})},
     {STATEMENT("4", "paper", 4, "", "", "", ""), .is_definition = 1,
      .links = LINKS({CHECKED_BY, "three_squared", NULL, "", NULL}, {CITES, NULL, "[book], 5", "a theorem", NULL})},
     {STATEMENT("5", "paper", 5, "", "", "", ""), .is_definition = 1,
-     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL})},
+     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL, NULL})},
     {STATEMENT("6", "paper", 6, "", "", "", ""),
      .links = LINKS({READING, "three_is_four", NULL, "one way", NULL},
                     {READING, "square_is_product", NULL, "another way", NULL})},
@@ -256,7 +256,7 @@ static const statement table_statements[] = {
     {STATEMENT("table-row-2-2, which is said in words that are longer than a line, so that what follows stands below "
                "them, and not below the verdict",
                "book", 4, "", "", "", ""),
-     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL})},
+     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL, NULL})},
     {STATEMENT("1", "edited", 5, "", "", "", ""), .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL})},
     {.id = NULL}};
 static const char *const printed_ids[] = {"book:table-row-1-2", "edited:1", "book:1", NULL}, *const every_ids[] = {

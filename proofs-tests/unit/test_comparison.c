@@ -555,7 +555,7 @@ static statement_result derived(const statement_link links[])
     const statement s = {.id = "source:1", .links = links};
     return derive(&s, results, sizeof results / sizeof *results);
 }
-#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL}})
+#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}})
 
 static void verdicts_from_links(void **state)
 {

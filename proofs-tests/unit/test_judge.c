@@ -909,7 +909,7 @@ static void test_every_combination_of_roles(void **state)
                         links[count++] =
                             (statement_link){(role)k, name, form_of_role[k] == PLACE_TEXT ? "" : NULL, "", NULL};
                     }
-                links[count] = (statement_link){HOLDS_BY, NULL, NULL, NULL, NULL};
+                links[count] = (statement_link){HOLDS_BY, NULL, NULL, NULL, NULL, NULL};
                 statement_result r = verdict_of(links, is_definition);
                 assert_int_equal(r.as_expected, bad < 0);
                 assert_int_equal(r.verdict, bad < 0 ? expected_verdict(roles, is_definition) : VERDICT_OPEN);
@@ -945,7 +945,7 @@ static void test_evidence_is_that_of_the_weakest_claim(void **state)
                                         {CORRECTED_BY, orders[k][0], NULL, "", NULL},
                                         {CORRECTED_BY, orders[k][1], NULL, "", NULL},
                                         {CORRECTED_BY, orders[k][2], NULL, "", NULL},
-                                        {HOLDS_BY, NULL, NULL, NULL, NULL}};
+                                        {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
         statement_result r = verdict_of(links, 0);
         assert_int_equal(r.verdict, VERDICT_HOLDS);
         assert_int_equal(r.as_printed.evidence, SAMPLED);
@@ -959,18 +959,18 @@ static void test_readings(void **state)
     (void)state;
     const statement_link words[] = {{READING, NULL, NULL, "one way", NULL},
                                     {READING, NULL, NULL, "another", NULL},
-                                    {HOLDS_BY, NULL, NULL, NULL, NULL}};
+                                    {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
     statement_result r = verdict_of(words, 0);
     assert_true(r.as_expected);
     assert_int_equal(r.verdict, VERDICT_UNDECIDED); /* a reading in words has no claim */
     free_statement_result(&r);
-    const statement_link none[] = {{HOLDS_BY, NULL, NULL, NULL, NULL}};
+    const statement_link none[] = {{HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
     r = verdict_of(none, 0);
     assert_true(r.as_expected);
     assert_int_equal(r.verdict, VERDICT_OPEN);
     free_statement_result(&r);
     const statement_link good[] = {
-        {HOLDS_BY, "proved", NULL, "", NULL}, {READING, "sampled", NULL, "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL}};
+        {HOLDS_BY, "proved", NULL, "", NULL}, {READING, "sampled", NULL, "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
     r = verdict_of(good, 0);
     assert_int_equal(r.verdict, VERDICT_HOLDS); /* no reading fails */
     free_statement_result(&r);
@@ -1094,7 +1094,7 @@ static void assert_finding(const char *letter, evidence e, const char *scope, co
     {                                                                                                                  \
         HOLDS_BY, name, NULL, "", NULL                                                                                 \
     }
-#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL}})
+#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}})
 
 static void test_the_scope_is_what_all_claims_have_in_common(void **state)
 {
@@ -1269,7 +1269,7 @@ static void test_data_within_hypotheses(void **state)
     const statement_link refuted[] = {{REFUTED_BY, "against", NULL, "", NULL},
                                       {CORRECTED_BY, "plain", NULL, "", NULL},
                                       {NEEDS, NULL, "", "", "P ≠ 0"},
-                                      {HOLDS_BY, NULL, NULL, NULL, NULL}};
+                                      {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
     claim_result all[sizeof scoped / sizeof *scoped + 1];
     memcpy(all, scoped, sizeof scoped);
     all[sizeof scoped / sizeof *scoped] = (claim_result){
@@ -1365,7 +1365,7 @@ static void test_the_finding_of_a_reading(void **state)
     const char *first = scoped[1].claim->name, *second = scoped[4].claim->name, *third = scoped[3].claim->name;
     const statement_link links[] = {{READING, first, NULL, "one way", NULL},   {READING_WITH, second, NULL, "", NULL},
                                     {READING_WITH, first, NULL, "", NULL},     {READING, third, NULL, "another", NULL},
-                                    {READING_WITH, "missing", NULL, "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL}};
+                                    {READING_WITH, "missing", NULL, "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
     finding two = finding_of_reading(links, scoped, count, "n"), alone = finding_of(&scoped[1], "n");
     assert_int_equal(two.evidence, BY_ARGUMENT);
     assert_string_not_equal(two.scope, "");
@@ -1395,7 +1395,7 @@ static void test_claims_without_a_common_case(void **state)
     const statement_link links[] = {{READING, "stretched", NULL, "one way", NULL}, /* nor may a reading be so */
                                     {READING_WITH, "high", NULL, "", NULL},
                                     {READING, "stretched", NULL, "another", NULL},
-                                    {HOLDS_BY, NULL, NULL, NULL, NULL}};
+                                    {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
     const statement read = {.id = "source:2", .links = links}, alone = {.id = "source:3", .links = links + 2};
     r = derive(&read, scoped, sizeof scoped / sizeof *scoped);
     assert_false(r.as_expected);
