@@ -102,7 +102,7 @@ both of them quadratic; the graphs $y=f(x)$ are the exception, as they were for 
 :data: P = (0,0) (1,0) (0,1) (0,0); Q = (0,0) (1,0) (0,0) (0,1)
 :instead: P = (0,0) (1,0) (0,1) (0,1)
 :then: $\delta=0$ for the first, which has no cusp, because its $x'$ is 1; $\delta>0$ for the second, whose $P'\times P''$ has one zero
-:result: a, b, c of P = 0 0 -1; δ of P = 0; zeros of P' × P'' = 0; a, b, c of Q = 0 -1 0; δ of Q = 3; zeros of Q' × Q'' = 1
+:result: for P, (a, b, c) = 0 0 -1; for P, δ = 0; for P, number of zeros = 0; for Q, (a, b, c) = 0 -1 0; for Q, δ = 3; for Q, number of zeros = 1
 :method: The kernels for cubics; zeros by root counts from $-1$ to 1, outside of which a polynomial of degree 1 without constant has none.
 :control: a cubic in the place of the parabola
 :::
@@ -114,9 +114,9 @@ static num signs_of_graph(trial *T, int second, const num c[], int *zeros)
     G(cubic_minors)(c, m);
     num delta = G(cubic_delta)(m);
     *zeros = count_roots(turning_of(c), from_int(-1), from_int(1), OPEN).distinct;
-    found_points(T, second ? "a, b, c of Q" : "a, b, c of P", 3, 1, m);
-    found(T, second ? "δ of Q" : "δ of P", delta);
-    found_whole(T, second ? "zeros of Q' × Q''" : "zeros of P' × P''", *zeros);
+    found_points(T, second ? "for Q, (a, b, c)" : "for P, (a, b, c)", 3, 1, m);
+    found(T, second ? "for Q, δ" : "for P, δ", delta);
+    found_whole(T, second ? "for Q, number of zeros" : "for P, number of zeros", *zeros);
     vanishes(T, m[0]);
     return delta;
 }

@@ -314,9 +314,9 @@ curvature that grows without bound.
 :printed: Condition for a continuous curvature (曲率连续条件), after those for position and slope: $\ddot P_x(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm
   I}(1)+\beta\dot P_{\mathrm I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$
 :holds-by: condition_keeps_the_curvature_vector curvature_vector_is_the_turning_of_the_tangent
-:needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
-  for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
-:needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+:needs: zero_ratio_has_unbounded_curvature | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\lambda\ne0$; as
+  for a quotient of lengths of vectors with directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
+:needs: vanishing_derivatives_hide_a_jump_of_curvature | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector.
 :meant: the other side of the equation, which is about the first piece, I | The index $x$ is II, that of the second piece.
 :figure: joints_of_order
@@ -329,9 +329,9 @@ Decided is that the condition suffices.
 :zh: β 为任意标量
 :printed: $\beta$ is an arbitrary scalar.
 :holds-by: condition_keeps_the_curvature_vector curvature_vector_is_the_turning_of_the_tangent
-:needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
-  for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
-:needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+:needs: zero_ratio_has_unbounded_curvature | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\lambda\ne0$; as
+  for a quotient of lengths of vectors with directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
+:needs: vanishing_derivatives_hide_a_jump_of_curvature | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 :::
@@ -599,7 +599,7 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :corrected-by: equal_unit_tangents_fix_the_ratio curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
   second_derivative_splits_along_the_first curvature_vector_is_the_turning_of_the_tangent signed_curvature_is_that_of_the_vector
 :confirmed-by: signed_curvature_is_the_turning_of_the_tangent
-:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+:needs: vanishing_derivatives_hide_a_corner | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector: without it the conditions of the correction do not suffice.
 :meant: the formula of section 1-4, by which the curvature is a number without a sign | The curvature is $K$.
 :reading: equal_curvatures_to_different_sides | the curvature is $K$

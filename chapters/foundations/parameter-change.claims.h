@@ -182,8 +182,8 @@ CLAIM(derivatives_of_a_piece)
 :zh: 参数区间长度的范围
 :printed: 0\le(t_1-t_0)\le1
 :holds-by: length_of_a_piece_is_at_most_one
-:needs: backward_piece_has_negative_length | the words above (1-5-4), the piece from $t_0$ to $t_1$ | $t_0\le t_1$: otherwise the piece is taken backward.
-:needs: piece_beyond_the_curve_is_longer | the words above (1-5-4), a piece of the curve with $t\in[0,1]$ | $t_0$ and $t_1$ are in $[0,1]$: otherwise it is
+:needs: backward_piece_has_negative_length | the words before (1-5-4), the piece from $t_0$ to $t_1$ | $t_0\le t_1$: otherwise the piece is taken backward.
+:needs: piece_beyond_the_curve_is_longer | the words before (1-5-4), a piece of the curve with $t\in[0,1]$ | $t_0$ and $t_1$ are in $[0,1]$: otherwise it is
   no piece of the curve that is taken.
 :figure: piece_of_a_cubic
 :::
@@ -267,7 +267,7 @@ CLAIM(piece_beyond_the_curve_is_longer)
 :zh: 切矢长度的变化
 :printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
 :holds-by: derivatives_of_a_piece
-:needs: backward_piece_has_negative_length | the line before it, $0\le(t_1-t_0)\le1$ | $t_0\le t_1$: no length is negative
+:needs: backward_piece_has_negative_length | the range printed before it, $0\le(t_1-t_0)\le1$ | $t_0\le t_1$: no length is negative
 :figure: piece_of_a_cubic
 :::
 
