@@ -146,10 +146,13 @@ For the ninth, chapter 2, the pages around it leave all possibilities open.
 :title: A chapter begins with its first section
 :zh: 章首页码
 :printed: Chapter 2 begins on page 23, its first section on page 25, and the last section before it, 1-9, on page 22.
-:reading: second_chapter_begins_before_its_first_section | chapter 2 begins on the page of its first section
-:reading: other_chapters_begin_with_their_first_section | the eight other chapters begin on the pages of their first sections
+:reading: second_chapter_begins_before_its_first_section | both numbers are the page on which the chapter begins with its first section, as all other chapters do
+:reading: the chapter begins on page 23, behind the last section before it, and has pages of its own before its first section, 25: nothing in the table of contents
+  says that it has none
+:confirmed-by: other_chapters_begin_with_their_first_section
 :figure: pages_of_the_sections
 
+The eight other chapters begin on the pages of their first sections (`other_chapters_begin_with_their_first_section`).
 :::
 */
 

@@ -281,8 +281,8 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :corrected: D=Q_0
 :corrected-by: end_data_determine_the_cubic
 :reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line of the source before
-:reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as the sentence above has it, too
-:meant: the sentence above, in which the first $\dot Q_0$ is called the position vector | $\dot Q_0$ is the position vector; the dot is a slip.
+:reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as it is called where it is given
+:meant: the sentence in which the data are given, whose first $\dot Q_0$ is called the position vector | $\dot Q_0$ is the position vector; the dot is a slip.
 :figure: ends_with_lost_letters
 :::
 
@@ -553,7 +553,7 @@ CLAIM(exchanged_lengths_turn_the_cubic)
 :data: Q = (0,0) (1,0); V = (3/2,0) (3/2,0); U = (2,0) (1/2,0)
 :instead: U = (2,1) (1/2,0)
 :then: both curves run once and forward along the same segment: $y=0$, and $x'>0$ on $(0,1)$
-:result: x' with V = "3*t^2 - 3*t + 3/2"; x' with U = "3/2*t^2 - 3*t + 2"
+:result: with V, x' = "3*t^2 - 3*t + 3/2"; with U, x' = "3/2*t^2 - 3*t + 2"
 :method: The directions and lengths; the coefficients; the sign of $x'$ by root counts.  That the two sets differ is refuted.
 :control: a second curve with a tangent that leaves the chord
 :::
@@ -577,7 +577,7 @@ CLAIM(tangents_along_the_chord_keep_the_segment)
     given_points(T, "Q", 2, 2, Q);
     given_points(T, "V", 2, 2, V);
     given_points(T, "U", 2, 2, U);
-    int first = runs_along_the_axis(T, "x' with V", Q, V), second = runs_along_the_axis(T, "x' with U", Q, U);
+    int first = runs_along_the_axis(T, "with V, x'", Q, V), second = runs_along_the_axis(T, "with U, x'", Q, U);
     about(T, "whether the two sets of points differ");
     refute(T, only_the_lengths_differ(V, U) && first && second);
 }

@@ -102,7 +102,7 @@ both of them quadratic; the graphs $y=f(x)$ are the exception, as they were for 
 :data: P = (0,0) (1,0) (0,1) (0,0); Q = (0,0) (1,0) (0,0) (0,1)
 :instead: P = (0,0) (1,0) (0,1) (0,1)
 :then: $\delta=0$ for the first, which has no cusp, because its $x'$ is 1; $\delta>0$ for the second, whose $P'\times P''$ has one zero
-:result: a, b, c of P = 0 0 -1; δ of P = 0; zeros of P' × P'' = 0; a, b, c of Q = 0 -1 0; δ of Q = 3; zeros of Q' × Q'' = 1
+:result: for P, (a, b, c) = 0 0 -1; for P, δ = 0; for P, number of zeros = 0; for Q, (a, b, c) = 0 -1 0; for Q, δ = 3; for Q, number of zeros = 1
 :method: The kernels for cubics; zeros by root counts from $-1$ to 1, outside of which a polynomial of degree 1 without constant has none.
 :control: a cubic in the place of the parabola
 :::
@@ -114,9 +114,9 @@ static num signs_of_graph(trial *T, int second, const num c[], int *zeros)
     G(cubic_minors)(c, m);
     num delta = G(cubic_delta)(m);
     *zeros = count_roots(turning_of(c), from_int(-1), from_int(1), OPEN).distinct;
-    found_points(T, second ? "a, b, c of Q" : "a, b, c of P", 3, 1, m);
-    found(T, second ? "δ of Q" : "δ of P", delta);
-    found_whole(T, second ? "zeros of Q' × Q''" : "zeros of P' × P''", *zeros);
+    found_points(T, second ? "for Q, (a, b, c)" : "for P, (a, b, c)", 3, 1, m);
+    found(T, second ? "for Q, δ" : "for P, δ", delta);
+    found_whole(T, second ? "for Q, number of zeros" : "for P, number of zeros", *zeros);
     vanishes(T, m[0]);
     return delta;
 }
@@ -246,6 +246,16 @@ static void events_of(const num R[], num alpha, num beta, int *inflections, int 
     *delta = G(cubic_delta)(m);
 }
 
+/* How many parameters of (0,1) have the derivative 0. */
+static int zeros_of_the_derivative(const num c[])
+{
+    poly slope[dim];
+    for (int j = 0; j < dim; j++)
+        slope[j] = poly_derivative(poly_from_q(4, (num[]){c[j], c[2 + j], c[4 + j], c[6 + j]}));
+    poly square = poly_add(poly_mul(slope[0], slope[0]), poly_mul(slope[1], slope[1]));
+    return count_roots(square, from_int(0), from_int(1), OPEN).distinct;
+}
+
 /* Compare: where delta is 0 the derivative vanishes at the double root of the polynomial of the double point; elsewhere all roots of
  * that polynomial are parameters of one point. */
 static void decide_cusp_or_loop(trial *T, const num c[])
@@ -279,8 +289,9 @@ static void decide_cusp_or_loop(trial *T, const num c[])
 :instead: (α,β) = (1,3) (1,3) (2,2) (3,3) (4,4)
 :then: on the open arc no, one and two inflections; a cusp, where $\delta=0$ and $P'=0$, which is the one zero of $P'\times P''$; a loop, whose double point has two
   parameters in $(0,1)$
-:method: Root counts of $P'\times P''$ and of the double point polynomial, and the sign of $\delta$, all exact.  At the cusp the derivative at the double root
-  $-\frac b{2a}$ of that polynomial; of the loop, that the polynomial divides $P-N$ with one point $N$, in both coordinates.
+:method: Root counts of $P'\times P''$, of the double point polynomial and of $|P'|^2$, and the sign of $\delta$, all exact: $P'$ is 0 at the cusp alone, so that in the
+  other forms each zero of $P'\times P''$ is a point with $K=0$, an inflection.  At the cusp the derivative at the double root $-\frac b{2a}$ of the double point
+  polynomial; of the loop, that this polynomial divides $P-N$ with one point $N$, in both coordinates.
 :control: the second pair twice
 :::
 */
@@ -298,10 +309,11 @@ CLAIM(each_form_occurs)
         int as_wanted = equal_q(from_int(inflections), wanted[3 * k]) && equal_q(from_int(doubles), wanted[3 * k + 1]);
         about(T, "the numbers of zeros and of parameters, and the sign");
         agree(T, as_wanted && equal_q(from_int(sign_q(delta)), wanted[3 * k + 2]));
-        if (doubles > 0) {
-            G(cubic_of_triangle)(R, lengths[2 * k], lengths[2 * k + 1], c);
+        G(cubic_of_triangle)(R, lengths[2 * k], lengths[2 * k + 1], c);
+        about(T, "whether the derivative is 0 at the cusp alone");
+        agree(T, zeros_of_the_derivative(c) == is_zero_q(delta));
+        if (doubles > 0)
             decide_cusp_or_loop(T, c);
-        }
     }
 }
 #endif

@@ -20,17 +20,12 @@ enum { dim = 2, space = 3 };
 :title: Continuity of position, slope and curvature is called C0, C1, C2
 :zh: 位置、斜率、曲率连续与 C0、C1、C2
 :printed: In general the pieces should reach continuity of position, slope and curvature, called $C^0$, $C^1$, $C^2$ continuity, as the case demands.
-:refuted-by: continuous_slope_with_another_speed
-:class: false
-:corrected: Let $\dot P_{\mathrm I}(1)\ne0$.  Position and slope are continuous when $P_{\mathrm{II}}(0)=P_{\mathrm I}(1)$ and $\dot P_{\mathrm{II}}(0)=\lambda\dot P_{\mathrm I}(1)$ with some $\lambda>0$,
-  and so is the vector of curvature when $\ddot P_{\mathrm{II}}(0)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$ as well: at the joint the curve is then $C^1$, or $C^2$, after a change of
-  the parameter of one piece.
-:corrected-by: conditions_make_one_curve_in_another_parameter equal_unit_tangents_fix_the_ratio condition_keeps_the_curvature_vector
+:reading: continuous_slope_with_another_speed | where position and slope are continuous at a joint the curve is $C^1$ there, as section 1-4 of the same book defines it, with
+  continuous derivatives, in the parameters that the pieces have
+:reading: conditions_make_one_curve_in_another_parameter | where position, slope and curvature are continuous at a joint the curve is $C^0$, $C^1$, $C^2$ there after a change of the
+  parameter of one piece, slope and curvature being the unit tangent and the vector of curvature
+:reading-with: equal_unit_tangents_fix_the_ratio curvature_vector_forces_the_condition second_derivative_splits_along_the_first
   curvature_vector_is_the_turning_of_the_tangent
-:hypothesis: vanishing_derivatives_hide_a_corner | $\dot P_{\mathrm I}(1)\ne0$: in the correction; where all vectors in the three conditions are 0
-  they hold at a corner.
-:meant: the definition of $C^r$ in section 1-4 of the same book | $C^r$ says that the derivatives up to the order $r$ are continuous.
-:reading: continuous_slope_with_another_speed | $C^r$ is what section 1-4 defines
 :reading: $C^0$, $C^1$, $C^2$ are here no more than names of the three properties, by the word "called" (称为): a choice of words, of which nothing is to be
   decided
 :figure: joints_of_order
@@ -201,13 +196,13 @@ learned by heart.
 :::{statement} hu-1987:1-5-2
 :title: The condition for continuous slope
 :zh: 斜率连续条件
-:printed: $\dot P_x(0)=\frac{\alpha_2}{\alpha_1}\dot P_{\mathrm I}(1)=\lambda\,\dot P_{\mathrm I}(1)$,
+:printed: As the unit tangent vectors are equal, the condition to be satisfied is $\dot P_x(0)=\frac{\alpha_2}{\alpha_1}\dot P_{\mathrm I}(1)=\lambda\,\dot P_{\mathrm I}(1)$,
   $\lambda=\frac{\alpha_2}{\alpha_1}$, where $\alpha_1,\alpha_2$ are the lengths of the tangent vectors of $P_{\mathrm I}$
-  and $P_{\mathrm{II}}$ at the joint: the unit tangent vectors are equal.
+  and $P_{\mathrm{II}}$ at the joint.
 :holds-by: equal_unit_tangents_fix_the_ratio
 :needs: negative_ratio_turns_back | the line itself, where $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient
   of lengths: with $\lambda<0$ the curve turns on its heel.
-:needs: singular_end_has_no_ratio | the line itself, where $\lambda$ is the quotient of the lengths of tangent vectors | neither derivative is 0 at the
+:needs: singular_end_has_no_ratio | the line itself, with unit tangent vectors of both pieces | neither derivative is 0 at the
   joint; as where there are unit tangent vectors: with $\dot P_{\mathrm I}(1)=0$ the tangents may be one although there is no $\lambda$, and with
   $\dot P_{\mathrm{II}}(0)=0$ alone $\lambda=0$, whatever the tangents are.
 :meant: the other side of the equation, which is about the first piece, I | The index $x$ is II, that of the second piece.
@@ -319,9 +314,9 @@ curvature that grows without bound.
 :printed: Condition for a continuous curvature (曲率连续条件), after those for position and slope: $\ddot P_x(0)=\bigl(\frac{\alpha_2}{\alpha_1}\bigr)^2\ddot P_{\mathrm
   I}(1)+\beta\dot P_{\mathrm I}(1)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$
 :holds-by: condition_keeps_the_curvature_vector curvature_vector_is_the_turning_of_the_tangent
-:needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
-  for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
-:needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+:needs: zero_ratio_has_unbounded_curvature | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\lambda\ne0$; as
+  for a quotient of lengths of vectors with directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
+:needs: vanishing_derivatives_hide_a_jump_of_curvature | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector.
 :meant: the other side of the equation, which is about the first piece, I | The index $x$ is II, that of the second piece.
 :figure: joints_of_order
@@ -334,9 +329,9 @@ Decided is that the condition suffices.
 :zh: β 为任意标量
 :printed: $\beta$ is an arbitrary scalar.
 :holds-by: condition_keeps_the_curvature_vector curvature_vector_is_the_turning_of_the_tangent
-:needs: zero_ratio_has_unbounded_curvature | the condition before it, with unit tangent vectors and lengths | $\lambda\ne0$; as
-  for a quotient of lengths that have directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
-:needs: vanishing_derivatives_hide_a_jump_of_curvature | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
+:needs: zero_ratio_has_unbounded_curvature | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\lambda\ne0$; as
+  for a quotient of lengths of vectors with directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
+:needs: vanishing_derivatives_hide_a_jump_of_curvature | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
 :::
@@ -604,8 +599,8 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :corrected-by: equal_unit_tangents_fix_the_ratio curvature_vector_forces_the_condition condition_keeps_the_curvature_vector
   second_derivative_splits_along_the_first curvature_vector_is_the_turning_of_the_tangent signed_curvature_is_that_of_the_vector
 :confirmed-by: signed_curvature_is_the_turning_of_the_tangent
-:needs: vanishing_derivatives_hide_a_corner | the condition before it, with unit tangent vectors and lengths | $\dot P_{\mathrm
-  I}(1)\ne0$; as where there is a unit tangent vector: without it the condition does not suffice.
+:needs: vanishing_derivatives_hide_a_corner | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\dot P_{\mathrm
+  I}(1)\ne0$; as where there is a unit tangent vector: without it the conditions of the correction do not suffice.
 :meant: the formula of section 1-4, by which the curvature is a number without a sign | The curvature is $K$.
 :reading: equal_curvatures_to_different_sides | the curvature is $K$
 :reading: curvature_vector_forces_the_condition | it is the vector of curvature
@@ -663,7 +658,8 @@ CLAIM(equal_curvatures_to_different_sides)
 :where: neither derivative is 0 at the joint
 :harmless: $\alpha_1,\alpha_2>0$ | the lengths of derivatives that are not 0
 :then: $P_{\mathrm{II}}''=\lambda^2P_{\mathrm I}''+\beta P_{\mathrm I}'$ with $\beta=\frac{\mu_2-\lambda^2\mu_1}{\alpha_1}$
-:method: An identity with everything a variable.  That every curve has such derivatives is `second_derivative_splits_along_the_first`, divided by $|P'|^2$.
+:method: An identity with everything a variable.  That every curve has such derivatives is
+  $|P'|^2P''=(P'\cdot P'')\,P'+(P'\times P'')\times P'$, which is `second_derivative_splits_along_the_first`, divided by $|P'|^2$.
 :over: a#: lengths; u# k#: vectors; m#: numbers μ
 :control: $\beta=\frac{\mu_2-\mu_1}{\alpha_1}$
 :::

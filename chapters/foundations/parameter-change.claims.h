@@ -92,10 +92,12 @@ printed rows are its four terms.
 :::{statement} hu-1987:1-5-5
 :title: The coefficients of a piece
 :zh: 截取曲线段的系数
-:printed: P(t^*)=[t^{*3}\;t^{*2}\;t^*\;1]\begin{bmatrix}(t_1-t_0)^3A\\3(t_1-t_0)^2t_0A+(t_1-t_0)^2B\\3(t_1-t_0)t_0^2A+2(t_1-t_0)t_0B+(t_1-t_0)C\\t_0^3A+t_0^2B+t_0C+D\end{bmatrix}
+:printed: P(t^*)=[t^{*3}\;t^{*2}\;t^*\;1]\begin{bmatrix}(t_1-t_0)^3A\\3(t_1-t_0)^2t_0A+(t_1-t_0)^2B\\3(t_1-t_0)t_0^2A+2(t_1-t_0)t_0B+(t_1-t_0)C\\t_0^3A+t_0^2B+t_0C+D\end{bmatrix}=[t^{*3}\;t^{*2}\;t^*\;1]\,[A^*\;B^*\;C^*\;D^*]^T
 :holds-by: coefficients_of_a_piece_are_as_printed
 :confirmed-by: pieces_in_new_powers
 :figure: piece_of_a_cubic
+
+The second expression gives the four rows names.
 :::
 
 :::{claim} coefficients_of_a_piece_are_as_printed
@@ -180,10 +182,9 @@ CLAIM(derivatives_of_a_piece)
 :zh: 参数区间长度的范围
 :printed: 0\le(t_1-t_0)\le1
 :holds-by: length_of_a_piece_is_at_most_one
-:needs: backward_piece_has_negative_length | the words above (1-5-4), the piece from $t_0$ to $t_1$ | $0\le t_0\le t_1\le1$; without $t_0\le t_1$ the piece is
-  taken backward.
-:needs: piece_beyond_the_curve_is_longer | the words above (1-5-4), a curve with $t\in[0,1]$ | $0\le t_0\le t_1\le1$; without $t_1\le1$ or $0\le t_0$ the piece is no
-  piece of the curve.
+:needs: backward_piece_has_negative_length | the words before (1-5-4), the piece from $t_0$ to $t_1$ | $t_0\le t_1$: otherwise the piece is taken backward.
+:needs: piece_beyond_the_curve_is_longer | the words before (1-5-4), a piece of the curve with $t\in[0,1]$ | $t_0$ and $t_1$ are in $[0,1]$: otherwise it is
+  no piece of the curve that is taken.
 :figure: piece_of_a_cubic
 :::
 
@@ -194,7 +195,8 @@ CLAIM(derivatives_of_a_piece)
 :then: $t_1-t_0\ge0$ and $1-(t_1-t_0)\ge0$
 :method: Both have no negative coefficient in $a,b,c$; every pair of parameters with $t_0\le t_1$ is of this form, $a$, $b$, $c$ being the lengths of the three
   parts of $[0,1]$, of which any may be 0.
-:scope: 0 ≤ t₀ ≤ t₁ ≤ 1
+:scope: any two parameters
+:where: $t_0\le t_1$; $t_0$ and $t_1$ are in $[0,1]$
 :harmless: $a,b,c\ge0$, not all 0 | it is $0\le t_0\le t_1\le1$
 :over: a b c: -
 :control: $t_0-t_1$
@@ -265,7 +267,7 @@ CLAIM(piece_beyond_the_curve_is_longer)
 :zh: 切矢长度的变化
 :printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
 :holds-by: derivatives_of_a_piece
-:needs: backward_piece_has_negative_length | the line before it, $0\le(t_1-t_0)\le1$ | $t_0\le t_1$: no length is negative
+:needs: backward_piece_has_negative_length | the range printed before it, $0\le(t_1-t_0)\le1$ | $t_0\le t_1$: no length is negative
 :figure: piece_of_a_cubic
 :::
 
@@ -283,8 +285,10 @@ one of them.  The price is that the curve becomes a rational one, whose weights 
 :holds-by: fractional_linear_change_makes_a_rational_curve
 :confirmed-by: bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor fractional_change_of_a_power_curve
   fractional_change_keeps_curve
-:hypothesis: fractional_change_with_a_pole | the denominator has no zero on the interval.
+:hypothesis: fractional_change_with_a_pole | the denominator has no zero on the interval: where it is 0, no $t$ belongs to the new parameter.
 :figure: fractional_parameter
+
+That the change is not constant is no further hypothesis: it belongs to the meaning of such a transformation.
 
 The text that is at hand ends before the formula, beside which the hypothesis may stand.
 :::

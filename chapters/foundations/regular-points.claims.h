@@ -700,7 +700,7 @@ CLAIM(point_moves_forward_back_and_forward)
 :then: $\phi(0)=0$, $\phi(1)=1$, $\phi'(t)=2(1-q)(1-t)+2qt>0$, so that the segment from $(0,0)$ to $(1,1)$ is run through once and never back; and
   $\phi(\frac12)=\frac12+\frac a4$, so that no two of these functions are one
 :method: Values and derivative by the kernel, $q$ and $t$ variables of $(0,1)$.
-:scope: one segment, −1 < a < 1
+:scope: one segment, x = y = t + at(1 − t) with −1 < a < 1
 :over: q t: -
 :control: the sign of $a$ in the derivative
 :::
