@@ -162,8 +162,8 @@ CLAIM(many_points_may_crowd)
 :confirmed-by: curve_blends_two_curves_of_one_point_less
 :figure: two_curves_of_one_point_less
 
-With the last index as it is in the text at hand, $P_{1,n}$ in the recursion would use a point $P_{n+1}$, which there is not.  Or
-the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is printed in both of its forms.
+With the last index as it is in the text at hand, $P_{1,n}$ in the recursion would use a point $P_{n+1}$, which there is not; the example has
+one point more, and then the recursion is false.  Or the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is printed in both of its forms.
 :::
 
 :::{statement} slides-ch4:4-recursion
@@ -188,7 +188,7 @@ Bernstein polynomials.
 :meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as `slides-ch4:4-recursion-notation` is corrected.
 :figure: two_curves_of_one_point_less
 
-It is `4-recursion` with $(1-t)P+tQ=P+t(Q-P)$.
+It is `slides-ch4:4-recursion` with $(1-t)P+tQ=P+t(Q-P)$.
 :::
 
 :::{claim} curve_blends_two_curves_of_one_point_less

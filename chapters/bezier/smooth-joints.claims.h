@@ -45,10 +45,10 @@ $Q_0'$ is $Q'(0)$ and $P_3'$ is $P'(1)$.
 :zh: G1 连续要求导矢成比例
 :printed: $G^1$ at the joint, that is, geometric continuity of the first derivative, requires $Q_0'=aP_3'$, where $a$ should be a positive number.
 :holds-by: equal_unit_tangents_fix_the_ratio
-:needs: negative_ratio_turns_back | the line itself: $a>0$ | $a>0$
+:needs: negative_ratio_turns_back | the line itself: $a>0$ | $a>0$: with a negative ratio the derivatives are proportional and the curve turns back
 :hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: else the tangent may be continuous although there is no such $a$
-:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition`, and the condition before it, $P_3=Q_0$ | The curves meet, and the two unit
-  tangents at the joint are equal.
+:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition`, the condition before it, $P_3=Q_0$, and the sentence behind it, which calls this the condition (条件) for $G^1$ |
+  $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal; curves that meet have equal unit tangents if and only if there is such an $a$.
 :figure: joint_of_cubics
 
 $Q_0'$ is $Q'(0)$ and $P_3'$ is $P'(1)$.  In the examples $\lambda$ is $a$, and the pieces have degree 1 or 2: raised in degree they are cubics.
@@ -63,6 +63,8 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :zh: G1 连续的控制顶点条件
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio equal_unit_tangents_fix_the_ratio
+:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition` | $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal.
+:needs: equal_derivatives_across_a_gap | the condition before it, $P_3=Q_0$ | the curves meet: in the example the condition holds with $a=1$, and $P_3\ne Q_0$
 :needs: negative_ratio_of_edges_turns_back | the condition by derivatives, `slides-ch4:4-joint-g1`: $a>0$ | $a>0$
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$ and $Q_0\ne Q_1$: with two edges of length 0 the condition does not suffice
 :hypothesis: straight_joint_with_a_zero_edge | $P_2\ne P_3$ and $Q_0\ne Q_1$: with one edge of length 0 the condition is not necessary
@@ -332,7 +334,8 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :figure: second_derivatives_alone
 :striking: 45
 
-With the condition for $G^1$ in the place of equal first derivatives it divides the square of the curvature by $a^4$, `printed_condition_divides_the_curvature`.
+With $Q'(0)=aP'(1)\ne0$, the condition for $G^1$, in the place of equal first derivatives, the square of the curvature behind the joint is that before it, divided by $a^4$:
+`printed_condition_divides_the_curvature`.
 :::
 
 :::{claim} three_points_make_c2
@@ -496,12 +499,12 @@ CLAIM(printed_condition_divides_the_curvature)
 :::{statement} slides-ch4:4-joint-c2-point
 :title: The second point of the next polygon
 :zh: C2 条件下的 Q2
-:printed: With $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$.
-:holds-by: three_points_make_c2
+:printed: from $Q_0-2Q_1+Q_2=P_3-2P_2+P_1$, with $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$
+:holds-by: second_derivative_of_a_cubic three_points_make_c2
 :needs: open_joint_has_no_second_point | the conditions before it, $Q_0=P_3$ the first of them | $Q_0=P_3$
 :figure: second_derivatives_alone
 
-It is true for any $Q_1$.  With $Q_1=2P_3-P_2$, that is $a=1$, it is $Q_2=P_1-4P_2+4P_3$.
+It is true for any $Q_1$.  With $Q_1=2P_3-P_2$, that is, with equal first derivatives, it is $Q_2=P_1-4P_2+4P_3$.
 :::
 */
 
