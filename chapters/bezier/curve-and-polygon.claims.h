@@ -221,7 +221,7 @@ In the text at hand the ten numbers of the matrix that are not 0 have no signs: 
 :given: $n=1,2,3$, any points of the plane, any $t$
 :then: the sums that are written out, and the products with the matrices, are the curve
 :method: Against the definition by binomial coefficients, everything a variable.  The entries are compared as the coefficients of powers of
-  $t$ with free points, so that no other matrix, with whatever signs, gives the curve.
+  $t$ with free points, so that no other matrix, with whatever signs, gives the curve.  Each coordinate is compared by itself: in space the same is true.
 :control: the sign of the last entry of the first row of each matrix
 :::
 */

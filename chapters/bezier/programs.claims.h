@@ -28,18 +28,18 @@ enum { MOST_PLACES = 80 };
 :::{statement} slides-ch4:4-program-decas
 :title: The function decas computes the point
 :zh: 函数 decas 求曲线上一点
-:printed: R and Q have $n+1$ numbers; R becomes P; for m from $n$ down to 1: Q[i] = R[i] + t*(R[i+1]-R[i]) for i < m, R[i] = Q[i] for i <= m-1; the
+:printed: R and Q have $n+1$ numbers; for(i=0;i0;m-): Q[i] = R[i] + t*(R[i+1]-R[i]) for i < m, R[i] = Q[i] for i <= m-1; the
   result is R[0], the value of the curve at $t$
 :holds-by: program_computes_the_curve bernstein_recurrence
 :argued: every n | One pass of the outer loop is one level of the recursion, which holds for every $n\ge1$; after $n$ passes
   R[0] is the value of the curve.  For $n=0$ no pass is made, and R[0] is P[0].
 :hypothesis: difference_loses_the_last_point | the arithmetic is exact: in binary64 the result at $t=1$ need not be the last
   point
-:meant: the rest of the function, which needs `R` filled and $m$ at $n$ in the first pass | R becomes P, R[i] = P[i] for $i\le n$, and the outer loop runs from $m=n$ down to 1.
+:meant: the rest of the function, which needs `R` filled and $m=n$ in the first pass | `for(i=0;i0;m-)` is what is left of two loops: in the first R[i] = P[i] for i from 0 to $n$; the second, in which all that
+  follows is done but for the result, is for m from $n$ down to 1.
 :figure: last_point_lost
 
-In the text at hand the signs `<` are lost, and the line that fills R and the head of the outer loop are one fragment, `for(i=0;i0;m-)`, so that
-"R becomes P" and "from n down" are not to be read there.  `P` is an array of numbers, one coordinate of each point: so the result is one
+In the text at hand the signs `<` are lost, with what stood between one of them and a sign `>`, and so are brackets and signs `+` of the loops.  `P` is an array of numbers, one coordinate of each point: so the result is one
 coordinate of the point.
 :::
 

@@ -89,7 +89,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :where: the curves meet; $a>0$
 :then: the derivatives at the joint have $Q'-aP'=n\bigl(q_1-q_0-a(p_n-p_{n-1})\bigr)$, so that $Q'=aP'$ and $q_1-q_0=a(p_n-p_{n-1})$ are one condition;
   with it $q_0=\frac{q_1+a\,p_{n-1}}{1+a}$, and with $q_0$ from this formula, $q_1$ and $p_{n-1}$ being free, $q_1-q_0=a(q_0-p_{n-1})$
-:method: Derivatives at the ends by the kernel; everything a variable.
+:method: Derivatives at the ends by the kernel; everything a variable.  Each coordinate is compared by itself: in space the same is true.
 :degrees: 1..6 sampled 10
 :over: u# v# w#: points; a
 :control: $\frac{a\,q_1+p_{n-1}}{1+a}$
@@ -278,7 +278,7 @@ CLAIM(negative_ratio_of_edges_turns_back)
 :zh: 二阶导矢的两种形式
 :given: four points of the plane, any $t$
 :then: both forms are $P''(t)$; at $t=1$ and $t=0$ they are the printed differences
-:method: Against the second derivative of the definition, everything a variable.
+:method: Against the second derivative of the definition, everything a variable.  Each coordinate is compared by itself: in space the same is true.
 :scope: cubic curves
 :control: $18t+12$ beside $P_1$
 :::
@@ -344,7 +344,7 @@ With $Q'(0)=aP'(1)\ne0$, the condition for $G^1$, in the place of equal first de
 :given: any $P_0,\dots,P_3$, $Q_3$ of the plane; $Q_0=P_3$, $Q_1=2P_3-P_2$, $Q_2=P_1+2(Q_1-P_2)$
 :then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and $Q_1$, $Q_2$ are any points, then
   $Q'(0)-P'(1)=3(Q_1-2P_3+P_2)$ and $Q''(0)-P''(1)=6(Q_2-P_1-2(Q_1-P_2))$
-:method: Derivatives at the ends by the kernel; everything a variable.
+:method: Derivatives at the ends by the kernel; everything a variable.  Each coordinate is compared by itself: in space the same is true.
 :scope: cubic curves
 :over: q#: points
 :control: $Q_2=P_1-2(Q_1-P_2)$
