@@ -263,6 +263,8 @@ CLAIM(negative_ratio_of_edges_turns_back)
 :printed: P''(t)=[6t\;\;2]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix}=(-6t+6)P_0+(18t-12)P_1+(-18t+6)P_2+6tP_3
 :holds-by: second_derivative_of_a_cubic
 :figure: second_derivatives_alone
+
+In the text at hand the seven numbers of the matrix that are not 0 have no signs: of the 128 choices one alone gives the second derivative.
 :::
 
 :::{statement} slides-ch4:4-second-derivative-ends
@@ -329,12 +331,13 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :holds-by: second_derivative_of_a_cubic three_points_make_c2
 :confirmed-by: printed_condition_divides_the_curvature
 :needs: equal_derivatives_across_a_gap | the first of the conditions, $P_3=Q_0$ | $P_3=Q_0$
-:hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well: the slides have asked only for $Q_0'=aP_3'$ with
-  some $a>0$
+:hypothesis: equal_second_derivatives_with_unequal_first | $P'(1)=Q'(0)$: the conditions before it ask only for $Q'(0)=aP'(1)$ with some $a>0$
+:meant: the word condition (条件), and the definition `slides-ch4:1-ck-definition` | $C^2$ says that the values and the first two derivatives are equal; the joint is $C^2$ if and
+  only if the condition holds.
 :figure: second_derivatives_alone
 :striking: 45
 
-With $Q'(0)=aP'(1)\ne0$, the condition for $G^1$, in the place of equal first derivatives, the square of the curvature behind the joint is that before it, divided by $a^4$:
+With $Q'(0)=aP'(1)\ne0$, $a>0$, the condition for $G^1$, in the place of equal first derivatives, the square of the curvature behind the joint is that before it, divided by $a^4$:
 `printed_condition_divides_the_curvature`.
 :::
 
