@@ -22,11 +22,13 @@ what it calls the degree is the number of points less one, whether or not the po
 :zh: n 次 Bézier 曲线的定义
 :printed: the points $P_0,\dots,P_n$ determine the Bézier curve of degree $n$: $P(t)=\sum_{i=0}^nP_iB_{i,n}(t)$, $0\le t\le1$
 :definition: yes
-:checked-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
-:confirmed-by: decasteljau_evaluates_bezier_curve
+:checked-by: bernstein_recurrence
+:confirmed-by: decasteljau_evaluates_bezier_curve triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power
 :figure: bezier_hull
 
-What is checked is that de Casteljau's recursion, by which the points are computed here, gives this sum, coordinate by coordinate.
+What is checked is that de Casteljau's recursion, by which the points are computed here, gives this sum, coordinate by coordinate: a step of it
+makes the curve of $n+1$ points from those of the first $n$ and of the last $n$ points, and in $(1-t)P_{0,n-1}(t)+tP_{1,n}(t)$, where $P_{k,l}$ is the curve
+of $P_k,\dots,P_l$, the point $P_i$ has the factor $(1-t)B_{i,n-1}(t)+tB_{i-1,n-1}(t)$.
 :::
 
 :::{statement} slides-ch4:4-degree
@@ -109,8 +111,11 @@ CLAIM(equally_spaced_points_make_a_line)
 :zh: Bernstein 基函数
 :printed: $B_{i,n}(t)=\frac{n!}{i!(n-i)!}t^i(1-t)^{n-i}=C_n^it^i(1-t)^{n-i}$, $i=0,1,\dots,n$
 :definition: yes
-:checked-by: bernstein_is_binomial_form
+:checked-by: bernstein_sum_of_powers_is_a_power
+:confirmed-by: bernstein_is_binomial_form
 :figure: bernstein_basis
+
+What is checked is that these functions are the coefficients of $1,Z,\dots,Z^n$ in $(1-t+tZ)^n$, as the binomial theorem says.
 :::
 
 :::{statement} slides-ch4:4-conventions
@@ -119,65 +124,63 @@ CLAIM(equally_spaced_points_make_a_line)
 :printed: $0!$ and $0^0$, where they occur, are by convention 1
 :definition: yes
 :checked-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
-:confirmed-by: bernstein_at_ends
-:needs: zero_power_zero_takes_away_the_end | the line itself, with $0^0=1$ | $0^0=1$: with $0^0=0$ the curve would not begin in
-  $P_0$
-:needs: zero_factorial_zero_divides_by_zero | the line itself, with $0!=1$ | $0!=1$: with $0!=0$ the first function and the last would be
-  divided by 0
+:confirmed-by: bernstein_at_ends zero_power_zero_takes_away_the_end zero_factorial_zero_divides_by_zero
 
-With the convention $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$.
+What is checked is what the convention does: with it $B_{0,0}(t)=1$ for every $t$, and $B_{0,n}(0)=1$ and $B_{n,n}(1)=1$, so that the curve begins in its first
+point and ends in its last.  Were $0^0$ the number 0, then the sum at $t=0$ would be the origin (`zero_power_zero_takes_away_the_end`); were $0!$ the number 0, then
+the first function and the last would be divided by 0 (`zero_factorial_zero_divides_by_zero`).
 :::
 
 :::{claim} zero_power_zero_takes_away_the_end
-:title: With 0^0 = 0 the sum at t = 0 is the origin
-:zh: 若约定 0^0=0 则曲线不过首点
-:kind: counterexample
-:data: P = (1,1) (2,3); t = 0; 0^0 = 0
-:instead: 0^0 = 1
-:result: P(t) = (0,0)
+:title: With 0^0 = 1 the sum at t = 0 is the first point, with 0^0 = 0 it is the origin
+:zh: 约定 0^0=1 则曲线过首点,约定 0^0=0 则否
+:kind: decision
+:data: P = (1,1) (2,3); t = 0; 0^0 = 1 0
+:instead: 0^0 = 0 1
 :given: the segment of the points $P$ and the parameter of its first end, where $t^0$ is $0^0$; the other power with exponent 0, $(1-t)^0$, is
-  $1^0=1$
-:then: with $0^0=0$ the sum at $t=0$ is the origin, and not $P_0$
+  $1^0=1$; two values of $0^0$
+:then: with $0^0=1$ the sum at $t=0$ is $P_0$, with $0^0=0$ it is the origin
 :method: The sum, with the power as told.
-:control: $0^0=1$
+:control: the two values exchanged
 :::
 */
 CLAIM(zero_power_zero_takes_away_the_end)
 {
-    num P[2 * dim], sum[dim];
+    num P[2 * dim], zeroth[2];
     given_points(T, "P", 2, dim, P);
-    num t = given(T, "t"), one = from_int(1), s = sub(one, t), zeroth = given(T, "0^0");
-    num of_t = is_zero_q(t) ? zeroth : one, of_s = is_zero_q(s) ? zeroth : one; /* t^0, (1-t)^0 */
-    /* P(t) = t^0 (1-t) P_0 + t (1-t)^0 P_1 */
-    for (int c = 0; c < dim; c++)
-        sum[c] = add(mul(P[c], mul(of_t, s)), mul(P[dim + c], mul(t, of_s)));
-    found_points(T, "P(t)", 1, dim, sum);
-    about(T, "the sum and P_0");
-    for (int c = 0; c < dim; c++)
-        same(T, sum[c], P[c]);
+    given_points(T, "0^0", 2, 1, zeroth);
+    num t = given(T, "t"), one = from_int(1), s = sub(one, t);
+    for (int k = 0; k < 2; k++) {
+        num of_t = is_zero_q(t) ? zeroth[k] : one, of_s = is_zero_q(s) ? zeroth[k] : one; /* t^0, (1-t)^0 */
+        about(T, k == 0 ? "the sum and P_0" : "the sum and the origin");
+        /* P(t) = t^0 (1-t) P_0 + t (1-t)^0 P_1 */
+        for (int c = 0; c < dim; c++)
+            same(T, add(mul(P[c], mul(of_t, s)), mul(P[dim + c], mul(t, of_s))), k == 0 ? P[c] : from_int(0));
+    }
 }
 
 /*
 :::{claim} zero_factorial_zero_divides_by_zero
-:title: With 0! = 0 the first function and the last are divided by 0
-:zh: 若约定 0!=0 则首末基函数分母为零
-:kind: counterexample
-:data: n = 3; 0! = 0
-:instead: 0! = 1
-:result: denominators = 0 0
-:given: the functions $\frac{n!}{i!(n-i)!}t^i(1-t)^{n-i}$ of degree $n$ with $i=0$ and $i=n$; the factorial of 0 is given the value $0!$
-:then: with $0!=0$ both are divided by 0
-:method: The denominators $0!\,n!$ and $n!\,0!$; that they are not 0 is refuted.
-:control: $0!=1$
+:title: With 0! = 1 no function is divided by 0, with 0! = 0 the first and the last are
+:zh: 约定 0!=1 则分母均不为零,约定 0!=0 则首末基函数分母为零
+:kind: decision
+:data: n = 3; 0! = 1 0
+:instead: 0! = 0 1
+:given: the functions $\frac{n!}{i!(n-i)!}t^i(1-t)^{n-i}$ of degree $n$ with $i=0$ and $i=n$; two values of $0!$
+:then: with $0!=1$ the denominators of both are not 0, with $0!=0$ both are 0
+:method: The denominators $0!\,n!$ and $n!\,0!$.
+:control: the two values exchanged
 :::
 */
 CLAIM(zero_factorial_zero_divides_by_zero)
 {
-    num of_n = G(factorial)(given_whole(T, "n")), of_zero = given(T, "0!");
-    num below[2] = {mul(of_zero, of_n), mul(of_n, of_zero)};
-    found_points(T, "denominators", 2, 1, below);
+    num of_n = G(factorial)(given_whole(T, "n")), of_zero[2];
+    given_points(T, "0!", 2, 1, of_zero);
     about(T, "whether the denominators are not 0");
-    refute(T, is_zero_q(below[0]) && is_zero_q(below[1]));
+    agree(T, !is_zero_q(mul(of_zero[0], of_n)) && !is_zero_q(mul(of_n, of_zero[0])));
+    about(T, "the denominators");
+    same(T, mul(of_zero[1], of_n), from_int(0));
+    same(T, mul(of_n, of_zero[1]), from_int(0));
 }
 #endif
 
@@ -217,7 +220,7 @@ In the text at hand the ten numbers of the matrix that are not 0 have no signs: 
 :given: $n=1,2,3$, any points of the plane, any $t$
 :then: the sums that are written out, and the products with the matrices, are the curve
 :method: Against the definition by binomial coefficients, everything a variable.  The entries are compared as the coefficients of powers of
-  $t$ with free points, so that no other matrix, with whatever signs, gives the curve.
+  $t$ with free points, so that no other matrix, with whatever signs, gives the curve.  Each coordinate is compared by itself: in space the same is true.
 :control: the sign of the last entry of the first row of each matrix
 :::
 */
@@ -524,13 +527,14 @@ so it does not matter from which end the points are read.  That the figure is it
 :::{statement} slides-ch4:4-symmetry
 :title: The curve in the basis read backwards
 :zh: Bézier 曲线的对称性
-:printed: P(t)=B_{0,n}(t)P_0+\dots+B_{i,n}(t)P_i+\dots+B_{n-i,n}(t)P_{n-i}+\dots+B_{n,n}(t)P_n=B_{n,n}(1-t)P_0+\dots+B_{n-i,n}(1-t)P_i+\dots+B_{i,n}(1-t)P_{n-i}+\dots+B_{0,n}(1-t)P_n
+:printed: the symmetry of the Bézier curve (Bézier 曲线的对称性, the heading): $P(t)=B_{0,n}(t)P_0+\dots+B_{i,n}(t)P_i+\dots+B_{n-i,n}(t)P_{n-i}+\dots+B_{n,n}(t)P_n$
+  $=B_{n,n}(1-t)P_0+\dots+B_{n-i,n}(1-t)P_i+\dots+B_{i,n}(1-t)P_{n-i}+\dots+B_{0,n}(1-t)P_n$
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
 :confirmed-by: reversed_points_reverse_the_curve basis_read_backwards
-:meant: the formula, which has each point with the function of the other end at $1-t$ | The points read backwards give the same curve, run backwards.
-:reading: recurrence_keeps_sum_sign_ends_and_symmetry | the points read backwards give the same curve, run backwards
+:meant: the formula below the heading, which has each point with the function of the other end at $1-t$ | The points read backwards give the same curve, run backwards.
+:reading: recurrence_keeps_sum_sign_ends_and_symmetry | it is symmetric in its points: read backwards they give the curve run backwards
 :reading-with: bernstein_recurrence
-:reading: curve_is_no_mirror_image | the figure of the curve is its own mirror image, with the ends exchanged
+:reading: curve_is_no_mirror_image | it is symmetric as a figure: its own mirror image, with the ends exchanged
 :figure: read_from_either_end
 :::
 
@@ -611,24 +615,24 @@ whole proof.  It uses that the functions are not negative, hence $0\le t\le1$.
 :::{statement} slides-ch4:4-hull-definition
 :title: The convex hull of the points
 :zh: 凸包的定义
-:printed: the set $M=\Bigl\{\sum_{i=0}^n\lambda_iP_i\Bigm|\sum_{i=0}^n\lambda_i=1,\ 0\le\lambda_i\le1,\ i=0,1,\dots,n\Bigr\}$
+:printed: for the given points $P_0,P_1,\dots,P_n$ the point set $M=\Bigl\{\sum_{i=0}^n\lambda_iP_i\Bigm|\sum_{i=0}^n\lambda_i=1,\ 0\le\lambda_i\le1\Bigr\}$
 :definition: yes
 :figure: bezier_hull
 
-In the text at hand $M$ has no name; the heading above it is about convex hulls, `slides-ch4:4-hull`.
+The text at hand does not say what $M$ is called; the heading above it is about the convex hull, `slides-ch4:4-hull`.  The bounds are for $i=0,1,\dots,n$.
 :::
 
 :::{statement} slides-ch4:4-partition
 :title: The functions are not negative and their sum is 1
 :zh: 基函数的非负性与规范性
 :printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le t\le1$
-:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry
+:holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry bernstein_sum_of_powers_is_a_power
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :needs: function_is_negative_outside_the_interval | the line itself and the definition of the curve, $0\le t\le1$ | $0\le t\le1$;
   for the bounds 0 and 1: the sum is 1 for every $t$
 :figure: bernstein_basis
 
-That a function is at most 1 follows from the two others as well: the sum is 1, and no function is negative.
+The middle of the second chain is $(1-t+tZ)^n$ with $Z=1$.  That a function is at most 1 follows from the rest as well: the sum is 1, and no function is negative.
 :::
 */
 

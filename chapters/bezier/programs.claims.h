@@ -28,17 +28,18 @@ enum { MOST_PLACES = 80 };
 :::{statement} slides-ch4:4-program-decas
 :title: The function decas computes the point
 :zh: 函数 decas 求曲线上一点
-:printed: R and Q have $n+1$ numbers; R becomes P; for m from $n$ down to 1: Q[i] = R[i] + t*(R[i+1]-R[i]) for i < m, R[i] = Q[i] for i <= m-1; the
+:printed: R and Q have $n+1$ numbers; for(i=0;i0;m-): Q[i] = R[i] + t*(R[i+1]-R[i]) for i < m, R[i] = Q[i] for i <= m-1; the
   result is R[0], the value of the curve at $t$
 :holds-by: program_computes_the_curve bernstein_recurrence
 :argued: every n | One pass of the outer loop is one level of the recursion, which holds for every $n\ge1$; after $n$ passes
   R[0] is the value of the curve.  For $n=0$ no pass is made, and R[0] is P[0].
 :hypothesis: difference_loses_the_last_point | the arithmetic is exact: in binary64 the result at $t=1$ need not be the last
   point
+:meant: the rest of the function, which needs `R` filled and $m=n$ in the first pass | `for(i=0;i0;m-)` is what is left of two loops: in the first R[i] = P[i] for i from 0 to $n$; the second, in which all that
+  follows is done but for the result, is for m from $n$ down to 1.
 :figure: last_point_lost
 
-In the text at hand the signs `<` are lost, and the line that fills R and the head of the outer loop are one fragment, `for(i=0;i0;m-)`, so that
-"R becomes P" and "from n down" are not to be read there; what the rest of the function needs determines them.  `P` is an array of numbers, one coordinate of each point: so the result is one
+In the text at hand the signs `<` are lost, with what stood between one of them and a sign `>`, and so are brackets and signs `+` of the loops.  `P` is an array of numbers, one coordinate of each point: so the result is one
 coordinate of the point.
 :::
 
@@ -223,7 +224,8 @@ The last point has the parameter after npoints steps; the step behind it is not 
 
 With $t=i/npoints$ and $(1-t)R_i+tR_{i+1}$ the first and the last point are exact in binary64, too, for one cubic and up to 24 steps:
 `corrected_program_ends_at_the_last_point`.  One coordinate of each point is found; for a curve in the plane the program runs twice.  As printed `decas` stands behind the
-function that calls it, and C++ wants it declared before.
+function that calls it, and C++ wants it declared before.  In the
+text at hand the signs `<` and `+` of the loop are lost, `for(int i=0;i=npoints;i+)`; that it ends with i = npoints is what the comment beside it says, npoints+1 points.
 :::
 */
 
@@ -331,8 +333,9 @@ CLAIM(program_ends_at_one_in_exact_arithmetic)
 :printed: P holds the coordinates of the control points, $n+1$ in number
 :holds-by: program_stays_in_its_arrays
 :argued: every n and every number of steps | The points are read once, P[i] for $i=0,\dots,n$, in each call, and the calls know nothing of one another.
+:meant: the $n+1$ places of `R`, and the recursion, which needs every control point | The loop that fills `R` from `P` runs from 0 to $n$: R[i] = P[i].
 
-Each of them is read, and no other.  What `P` holds is one coordinate of each point, since it is an array of numbers.
+Each of them is read, and no other.  The loop that reads them is not to be read in the text at hand, where it is one fragment with the head of the outer loop, `for(i=0;i0;m-)`.  What `P` holds is one coordinate of each point, since it is an array of numbers.
 :::
 */
 

@@ -162,8 +162,8 @@ CLAIM(many_points_may_crowd)
 :confirmed-by: curve_blends_two_curves_of_one_point_less
 :figure: two_curves_of_one_point_less
 
-With the last index as it is in the text at hand, $P_{1,n}$ in the recursion would use a point $P_{n+1}$, which there is not.  Or
-the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is printed in both of its forms.
+With the last index as it is in the text at hand, $P_{1,n}$ in the recursion would use a point $P_{n+1}$, which there is not; the example has
+one point more, and then the recursion is false.  Or the definition is kept, and the recursion has $P_{1,n-1}$; but $P_{1,n}$ is printed in both of its forms.
 :::
 
 :::{statement} slides-ch4:4-recursion
@@ -188,7 +188,7 @@ Bernstein polynomials.
 :meant: $P_{1,n}$, which would use a point $P_{n+1}$ that there is not | $P_{k,l}$ is the curve of $P_k,\dots,P_l$, as `slides-ch4:4-recursion-notation` is corrected.
 :figure: two_curves_of_one_point_less
 
-It is `4-recursion` with $(1-t)P+tQ=P+t(Q-P)$.
+It is `slides-ch4:4-recursion` with $(1-t)P+tQ=P+t(Q-P)$.
 :::
 
 :::{claim} curve_blends_two_curves_of_one_point_less
@@ -287,7 +287,7 @@ CLAIM(binomials_add_up)
 :given: an integer $n\ge1$, any $t$; integers $1\le i\le n-1$, where there are such
 :let: $c=\binom{n-1}{i-1}$, so that $\binom{n-1}i=c\frac{n-i}i$ and $\binom ni=c\frac ni$; $U=(1-t)^{n-1-i}$, $V=t^{i-1}$; $X=(1-t)^{n-1}$,
   $Y=t^{n-1}$
-:then: the coefficient of $P_i$ is $(1-t)\binom{n-1}it^i(1-t)^{n-1-i}+t\binom{n-1}{i-1}t^{i-1}(1-t)^{n-i}$ in the last two expressions of the chain,
+:then: the coefficient of $P_i$ is $(1-t)\binom{n-1}it^i(1-t)^{n-1-i}+t\binom{n-1}{i-1}t^{i-1}(1-t)^{n-i}$ in the last two expressions of the proof, the one with brackets and the one behind it,
   $\bigl(\binom{n-1}i+\binom{n-1}{i-1}\bigr)t^i(1-t)^{n-i}$ in the two before them, $\binom nit^i(1-t)^{n-i}$ in the first, and these are one; those of $P_0$ and $P_n$ are $(1-t)(1-t)^{n-1}$ and $t\,t^{n-1}$ in the last two
   expressions and $(1-t)^n$ and $t^n$ in the others, and these are one as well
 :method: With $i$, $n-i$, $t$, $c$, $U$, $V$, $X$, $Y$ variables; $(1-t)^n$ is $X$ once more multiplied by $1-t$, and $t^n$ is $Y$ multiplied by $t$.  For
@@ -325,7 +325,7 @@ CLAIM(each_point_has_one_coefficient_in_every_line)
 :confirmed-by: proof_of_the_recursion_line_by_line
 :figure: two_curves_of_one_point_less
 
-Where the dots are stands another line, `slides-ch4:4-recursion-proof-line-2`.  For $n=1$ the sums from 1 to $n-1$ are empty.
+In the place of the dots stands another line, `slides-ch4:4-recursion-proof-line-2`.  For $n=1$ the sums from 1 to $n-1$ are empty.
 :::
 
 :::{claim} proof_of_the_recursion_line_by_line
@@ -384,14 +384,14 @@ a bracket that is multiplied by $t$ or by $1-t$ the sum $n-1$.
 :::{statement} slides-ch4:4-recursion-proof-line-2
 :title: The line of the proof in which 1-t and t stand before brackets
 :zh: 证明中提取公因子的一行
-:printed: the line before the last of the chain:
+:printed: in the proof of the recursion, the line before the last:
   $\dots=(1-t)\Bigl((1-t)^{n-1}P_0+\sum_{i=1}^{n-1}C_{n-1}^it^i(1-t)^{n-1-i}P_i\Bigr)+t\Bigl(\sum_{i=1}^{n-1}C_{n-1}^{i-1}t^{i-1}(1-t)^{n-i}P_i+t^{n-1}P_n\Bigr)$
 :holds-by: each_point_has_one_coefficient_in_every_line
 :confirmed-by: proof_of_the_recursion_line_by_line
 :figure: two_curves_of_one_point_less
 
 In the text at hand the exponent of $1-t$ consists of $n$, $i$ and 1 in the first sum and of $n$ and
-$i$ in the second, whose power of $t$ has the 1; the minus signs between them are not there.
+$i$ in the second, whose power of $t$ has the 1; the minus signs between them are not there.  The other lines are in `slides-ch4:4-recursion-proof`.
 :::
 */
 

@@ -45,10 +45,10 @@ $Q_0'$ is $Q'(0)$ and $P_3'$ is $P'(1)$.
 :zh: G1 连续要求导矢成比例
 :printed: $G^1$ at the joint, that is, geometric continuity of the first derivative, requires $Q_0'=aP_3'$, where $a$ should be a positive number.
 :holds-by: equal_unit_tangents_fix_the_ratio
-:needs: negative_ratio_turns_back | the line itself: $a>0$ | $a>0$
+:needs: negative_ratio_turns_back | the line itself: $a>0$ | $a>0$: with a negative ratio the derivatives are proportional and the curve turns back
 :hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: else the tangent may be continuous although there is no such $a$
-:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition`, and the condition before it, $P_3=Q_0$ | The curves meet, and the two unit
-  tangents at the joint are equal.
+:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition`, the condition before it, $P_3=Q_0$, and the sentence behind it, which calls this the condition (条件) for $G^1$ |
+  $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal; curves that meet have equal unit tangents if and only if there is such an $a$.
 :figure: joint_of_cubics
 
 $Q_0'$ is $Q'(0)$ and $P_3'$ is $P'(1)$.  In the examples $\lambda$ is $a$, and the pieces have degree 1 or 2: raised in degree they are cubics.
@@ -63,6 +63,8 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :zh: G1 连续的控制顶点条件
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio equal_unit_tangents_fix_the_ratio
+:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition` | $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal.
+:needs: equal_derivatives_across_a_gap | the condition before it, $P_3=Q_0$ | the curves meet: in the example the condition holds with $a=1$, and $P_3\ne Q_0$
 :needs: negative_ratio_of_edges_turns_back | the condition by derivatives, `slides-ch4:4-joint-g1`: $a>0$ | $a>0$
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$ and $Q_0\ne Q_1$: with two edges of length 0 the condition does not suffice
 :hypothesis: straight_joint_with_a_zero_edge | $P_2\ne P_3$ and $Q_0\ne Q_1$: with one edge of length 0 the condition is not necessary
@@ -87,7 +89,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :where: the curves meet; $a>0$
 :then: the derivatives at the joint have $Q'-aP'=n\bigl(q_1-q_0-a(p_n-p_{n-1})\bigr)$, so that $Q'=aP'$ and $q_1-q_0=a(p_n-p_{n-1})$ are one condition;
   with it $q_0=\frac{q_1+a\,p_{n-1}}{1+a}$, and with $q_0$ from this formula, $q_1$ and $p_{n-1}$ being free, $q_1-q_0=a(q_0-p_{n-1})$
-:method: Derivatives at the ends by the kernel; everything a variable.
+:method: Derivatives at the ends by the kernel; everything a variable.  Each coordinate is compared by itself: in space the same is true.
 :degrees: 1..6 sampled 10
 :over: u# v# w#: points; a
 :control: $\frac{a\,q_1+p_{n-1}}{1+a}$
@@ -261,6 +263,8 @@ CLAIM(negative_ratio_of_edges_turns_back)
 :printed: P''(t)=[6t\;\;2]\begin{bmatrix}-1&3&-3&1\\3&-6&3&0\end{bmatrix}\begin{bmatrix}P_0\\P_1\\P_2\\P_3\end{bmatrix}=(-6t+6)P_0+(18t-12)P_1+(-18t+6)P_2+6tP_3
 :holds-by: second_derivative_of_a_cubic
 :figure: second_derivatives_alone
+
+In the text at hand the seven numbers of the matrix that are not 0 have no signs: of the 128 choices one alone gives the second derivative.
 :::
 
 :::{statement} slides-ch4:4-second-derivative-ends
@@ -276,7 +280,7 @@ CLAIM(negative_ratio_of_edges_turns_back)
 :zh: 二阶导矢的两种形式
 :given: four points of the plane, any $t$
 :then: both forms are $P''(t)$; at $t=1$ and $t=0$ they are the printed differences
-:method: Against the second derivative of the definition, everything a variable.
+:method: Against the second derivative of the definition, everything a variable.  Each coordinate is compared by itself: in space the same is true.
 :scope: cubic curves
 :control: $18t+12$ beside $P_1$
 :::
@@ -327,12 +331,14 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :holds-by: second_derivative_of_a_cubic three_points_make_c2
 :confirmed-by: printed_condition_divides_the_curvature
 :needs: equal_derivatives_across_a_gap | the first of the conditions, $P_3=Q_0$ | $P_3=Q_0$
-:hypothesis: equal_second_derivatives_with_unequal_first | the first derivatives are equal as well: the slides have asked only for $Q_0'=aP_3'$ with
-  some $a>0$
+:hypothesis: equal_second_derivatives_with_unequal_first | $P'(1)=Q'(0)$: the conditions before it ask only for $Q'(0)=aP'(1)$ with some $a>0$
+:meant: the word condition (条件), and the definition `slides-ch4:1-ck-definition` | $C^2$ says that the values and the first two derivatives are equal; the joint is $C^2$ if and
+  only if the condition holds.
 :figure: second_derivatives_alone
 :striking: 45
 
-With the condition for $G^1$ in the place of equal first derivatives it divides the square of the curvature by $a^4$, `printed_condition_divides_the_curvature`.
+With $Q'(0)=aP'(1)\ne0$, $a>0$, the condition for $G^1$, in the place of equal first derivatives, the square of the curvature behind the joint is that before it, divided by $a^4$:
+`printed_condition_divides_the_curvature`.
 :::
 
 :::{claim} three_points_make_c2
@@ -341,7 +347,7 @@ With the condition for $G^1$ in the place of equal first derivatives it divides 
 :given: any $P_0,\dots,P_3$, $Q_3$ of the plane; $Q_0=P_3$, $Q_1=2P_3-P_2$, $Q_2=P_1+2(Q_1-P_2)$
 :then: $Q^{(r)}(0)=P^{(r)}(1)$ for $r=0,1,2$, and $Q_2=P_1-4P_2+4P_3$; conversely, if $Q_0=P_3$ and $Q_1$, $Q_2$ are any points, then
   $Q'(0)-P'(1)=3(Q_1-2P_3+P_2)$ and $Q''(0)-P''(1)=6(Q_2-P_1-2(Q_1-P_2))$
-:method: Derivatives at the ends by the kernel; everything a variable.
+:method: Derivatives at the ends by the kernel; everything a variable.  Each coordinate is compared by itself: in space the same is true.
 :scope: cubic curves
 :over: q#: points
 :control: $Q_2=P_1-2(Q_1-P_2)$
@@ -496,12 +502,12 @@ CLAIM(printed_condition_divides_the_curvature)
 :::{statement} slides-ch4:4-joint-c2-point
 :title: The second point of the next polygon
 :zh: C2 条件下的 Q2
-:printed: With $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$.
-:holds-by: three_points_make_c2
+:printed: from $Q_0-2Q_1+Q_2=P_3-2P_2+P_1$, with $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$
+:holds-by: second_derivative_of_a_cubic three_points_make_c2
 :needs: open_joint_has_no_second_point | the conditions before it, $Q_0=P_3$ the first of them | $Q_0=P_3$
 :figure: second_derivatives_alone
 
-It is true for any $Q_1$.  With $Q_1=2P_3-P_2$, that is $a=1$, it is $Q_2=P_1-4P_2+4P_3$.
+It is true for any $Q_1$.  With $Q_1=2P_3-P_2$, that is, with equal first derivatives, it is $Q_2=P_1-4P_2+4P_3$.
 :::
 */
 

@@ -122,7 +122,7 @@ CLAIM(table_row_of_start) { exact_numbers(T); }
 :zh: t=0.15 处的四个基函数值
 :printed: $t=0.15$: $(1-t)^3=0.614$, $3t(1-t)^2=0.325$, $3t^2(1-t)=0.0574$, $t^3=0.0034$
 :holds-by: table_row_of_fifteen_hundredths
-:meant: the digits of the column, three or two that count | Each number is the value of the function, rounded to the digits that are printed.
+:meant: the digits of these numbers, three or two significant ones | Each number is the value of the function, rounded to the digits that are printed.
 :figure: worked_table
 :::
 
@@ -229,7 +229,7 @@ CLAIM(exact_values_of_the_table)
 :zh: t=0.35 处的四个基函数值
 :printed: $t=0.35$: $(1-t)^3=0.275$, $3t(1-t)^2=0.444$, $3t^2(1-t)=0.239$, $t^3=0.043$
 :holds-by: table_row_of_thirty_five_hundredths
-:meant: the digits of the column, three or two that count | Each number is the value of the function, rounded to the digits that are printed.
+:meant: the digits of these numbers, three or two significant ones | Each number is the value of the function, rounded to the digits that are printed.
 :figure: worked_table
 :::
 
@@ -400,7 +400,7 @@ CLAIM(table_row_of_middle) { exact_numbers(T); }
 :zh: t=0.65 处的四个基函数值
 :printed: $t=0.65$: $(1-t)^3=0.043$, $3t(1-t)^2=0.239$, $3t^2(1-t)=0.444$, $t^3=0.275$
 :holds-by: table_row_of_sixty_five_hundredths
-:meant: the digits of the column, three or two that count | Each number is the value of the function, rounded to the digits that are printed.
+:meant: the digits of these numbers, three or two significant ones | Each number is the value of the function, rounded to the digits that are printed.
 :figure: worked_table
 :::
 
@@ -461,7 +461,8 @@ CLAIM(table_misses_the_third_x) { wrong_number(T, "x"); }
 :hypothesis: five_rounded_up_gives_another_digit | a five is not rounded up: 四舍五入 gives 2.37
 :figure: worked_table
 
-The value is 2.365, exactly between 2.36 and 2.37: rounded to the even digit, or cut off, which the functions of the table are not.  The sum with the rounded factors is 2.367.
+The value is 2.365, exactly between 2.36 and 2.37.  It becomes 2.36 when it is rounded to the even digit; cut off it becomes 2.36, too, but the functions of the table are
+rounded and not cut off.  The sum with the rounded factors is 2.367.
 :::
 
 One number is right or not by the rule of rounding that is taken, because the exact value lies exactly between two candidates.
@@ -525,7 +526,7 @@ CLAIM(heights_of_the_example_are_symmetric)
 :zh: t=0.85 处的四个基函数值
 :printed: $t=0.85$: $(1-t)^3=0.0034$, $3t(1-t)^2=0.0574$, $3t^2(1-t)=0.325$, $t^3=0.614$
 :holds-by: table_row_of_eighty_five_hundredths
-:meant: the digits of the column, three or two that count | Each number is the value of the function, rounded to the digits that are printed.
+:meant: the digits of these numbers, three or two significant ones | Each number is the value of the function, rounded to the digits that are printed.
 :figure: worked_table
 :::
 */

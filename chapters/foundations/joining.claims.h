@@ -219,7 +219,7 @@ learned by heart.
 :then: $\dot P_{\mathrm I}=\alpha_1U$ and $\dot P_{\mathrm{II}}=\alpha_2U$ satisfy the condition; conversely, the condition makes
   $\dot P_{\mathrm{II}}/\alpha_2=\dot P_{\mathrm I}/\alpha_1$, and $|\dot P_{\mathrm{II}}|=\lambda|\dot P_{\mathrm I}|$
 :method: Identities in $U$, $\alpha_1$, $\alpha_2$ and $\dot P_{\mathrm I}$.
-:over: a#: lengths; u# v#: vectors
+:over: a#: -; u# v#: derivatives
 :control: $\lambda$ inverted
 :::
 */

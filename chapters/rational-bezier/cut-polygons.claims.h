@@ -99,7 +99,7 @@ variable, so one computation serves every $n$.
   at the parameters $k/n$, hence so are the polygon, by linear interpolation, and the curve, being $\sum
   B_k^n(t)b_k$ with $\sum B_k^n(t)\frac kn=t$.  Polygon and curve are at most $\frac{n^2}4\max|\Delta^2b|$ apart.
 :degrees: all from 1
-:over: b#: coefficients; n j k g#: -
+:over: b#: points; n j k g#: -
 :control: $g_j=j(n-k)$ for $j\le k$
 :::
 */
