@@ -177,7 +177,7 @@ In the text at hand $H$ has no signs; of all choices of them the one shown is th
 :title: The kernel gives every derivative of the product, and at the corners the sixteen data
 :zh: 张量积曲面的各阶偏导与角点数据
 :given: any $M$, $u$, $w$, orders 0 to 3 in $u$ and in $w$
-:let: $U=[u^3\;u^2\;u\;1]$, $W=[w^3\;w^2\;w\;1]$, and $H$ the matrix whose columns are the coefficients of the four functions $q$
+:let: $U=[u^3\;u^2\;u\;1]$, $W=[w^3\;w^2\;w\;1]$, and $H$ the matrix whose columns are the coefficients of $q_{00},q_{01},q_{10},q_{11}$
 :then: `hermite_tensor` is the derivative of $UHMH^TW^T$; its values, first derivatives and twists at the corners are $M$
 :method: The sixteen coefficients $HMH^T$ and the derivatives of the powers; everything variable.
 :defines: hermite_tensor

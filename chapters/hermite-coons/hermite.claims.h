@@ -20,7 +20,7 @@ serves for existence and uniqueness, the system being square.
 :holds-by: one_more_datum_determines_one_more_coefficient a_factor_raises_the_order_of_a_zero
 :confirmed-by: hermite_interpolant_exists_and_is_unique
 :hypothesis: straight_data_have_no_cubic | the degree is at most $N$: of degree exactly $N$ there may be none
-:needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | the $k+1$ points $t_i$ are different
+:needs: equal_nodes_have_no_interpolant | the words: at $k+1$ points $t_i$ (在 $k+1$ 个点 $t_i$ 处) | the $k+1$ points $t_i$ are different
 :figure: hermite_blending_functions
 :::
 
@@ -28,8 +28,8 @@ serves for existence and uniqueness, the system being square.
 :title: In general the interpolating polynomial is of a high degree
 :zh: 一般 Hermite 插值多项式次数较高
 :printed: for the general problem the interpolating polynomial is in general of a rather high degree, and inconvenient to use
-:reading: one_more_datum_determines_one_more_coefficient | its degree grows with the data, over different nodes: it is one less than their number, but for a
-  last datum that the polynomial of those before has already
+:reading: one_more_datum_determines_one_more_coefficient | its degree grows with the data, over different nodes: it is one less than their number, unless the
+  polynomial of the other data has the last datum already
 :reading-with: a_factor_raises_the_order_of_a_zero
 :confirmed-by: hermite_interpolant_exists_and_is_unique
 :reading: which degree is high, and what inconvenient: the slides do not say, so that nothing is there to be decided
@@ -97,7 +97,7 @@ CLAIM(hermite_interpolant_exists_and_is_unique)
   are 0 below the order $j$, and that of order $j$ is $j!$ times the product of the other factors, which is not 0 when the nodes are different.
   The products for $M=0,\dots,N$ have the degrees $0,\dots,N$, so that every polynomial of degree at most $N$ is a sum of their multiples.
 :scope: every N
-:over: f p e w: -
+:over: f#: data; p e w: -
 :control: $c$ with the other sign
 :::
 */
@@ -276,7 +276,7 @@ CLAIM(cubic_equations_are_the_conditions)
   $a_1=\frac{f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1}{(t_1-t_0)^3}$;
   $a_0=\frac{-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3}{(t_1-t_0)^3}$
 :holds-by: cubic_coefficients_by_monomials
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the formula divides by $t_1-t_0$, and at equal ends no other will do
 :figure: nodes_that_meet
 
 In the text at hand the three sums have no signs and no primes; those shown here satisfy the four conditions.
@@ -374,7 +374,7 @@ CLAIM(cubic_coefficients_by_monomials)
 :class: misprint
 :corrected: a_2=\frac{-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
 :corrected-by: cubic_coefficients_by_monomials
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the formula divides by $t_1-t_0$, and at equal ends no other will do
 :figure: square_without_its_prime
 
 In the text at hand the sum has no signs and no primes, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
@@ -436,9 +436,9 @@ slope right at its own.
 :::{statement} slides-ch4:2-cubic-by-data
 :title: The interpolating cubic, ordered by its data
 :zh: 按型值整理的三次插值多项式
-:printed: P(t)=f(t_0)\frac{(t-t_1)^2(-2t+3t_0-t_1)}{(t_0-t_1)^3}+f(t_1)\frac{(t-t_0)^2(-2t+3t_1-t_0)}{(t_1-t_0)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}
+:printed: $P(t)=f(t_0)\frac{(t-t_1)^2(-2t+3t_0-t_1)}{(t_0-t_1)^3}+f(t_1)\frac{(t-t_0)^2(-2t+3t_1-t_0)}{(t_1-t_0)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}$, $t\in[t_0,t_1]$
 :holds-by: cubic_ordered_by_data
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the formula divides by $t_1-t_0$, and at equal ends no other will do
 :figure: nodes_that_meet
 
 In the text at hand the sum has no signs and no primes; with those shown here it satisfies the four conditions.
@@ -483,8 +483,8 @@ CLAIM(cubic_ordered_by_data)
   $g_{01}=\bigl(1-2\frac{t-t_1}{t_1-t_0}\bigr)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$,
   $h_{00}=\frac{t-t_0}{t_1-t_0}\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$, $h_{01}=\frac{t-t_1}{t_1-t_0}\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two ends of an
-  interval
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the functions divide by $t_1-t_0$, and
+  at equal ends no others will do
 :figure: hermite_blending_functions
 
 In the text at hand the formulas have no signs and no primes; with those shown here the sum has the four data.
@@ -533,7 +533,7 @@ What characterizes the four functions is a table of sixteen numbers.  Each has o
 :printed: $g_{00}(t_0)=1$, $g_{00}(t_1)=0$, $g_{01}(t_0)=0$, $g_{01}(t_1)=1$, $h_{00}(t_0)=h_{00}(t_1)=h_{01}(t_0)=h_{01}(t_1)=0$;
   $g_{00}'(t_0)=g_{00}'(t_1)=g_{01}'(t_0)=g_{01}'(t_1)=0$, $h_{00}'(t_0)=\frac1{t_1-t_0}$, $h_{00}'(t_1)=0$, $h_{01}'(t_0)=0$, $h_{01}'(t_1)=\frac1{t_1-t_0}$
 :holds-by: blending_functions_are_dual_to_the_data
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the functions divide by $t_1-t_0$, and at equal ends no cubics have this table
 :figure: hermite_blending_functions
 
 In the text at hand the table has no primes; with those shown here it is true.
@@ -551,12 +551,12 @@ In the text at hand the table has no primes; with those shown here it is true.
 :::
 
 :::{claim} blending_functions_are_dual_to_the_data
-:title: Each blending function has one datum that is not 0, and three that are
+:title: Each blending function has one datum different from 0, and its three others are 0
 :zh: 四函数与四型值对偶
 :given: $t_0<t_1$
 :harmless: $t_0<t_1$ | the identities are those of two different nodes, in any order
-:then: the sixteen values and derivatives of the printed functions at $t_0$ and $t_1$ are the matrix with the diagonal
-  $1,1,\frac1{t_1-t_0},\frac1{t_1-t_0}$ and 0 elsewhere
+:then: of the sixteen values and derivatives of the printed functions at $t_0$ and $t_1$ it is so that $g_{00}(t_0)=g_{01}(t_1)=1$,
+  $h_{00}'(t_0)=h_{01}'(t_1)=\frac1{t_1-t_0}$, and the twelve others are 0
 :method: The printed functions multiplied out and differentiated; $t_0$ and $t_1$ variables.
 :over: t# h#: different nodes
 :control: $h_{00}$ taken for $h_{01}$
@@ -577,8 +577,8 @@ CLAIM(blending_functions_are_dual_to_the_data)
 :::{claim} unit_functions_are_dual_to_the_data
 :title: Over the unit interval the table of values and derivatives is the unit matrix
 :zh: 单位区间上四函数与四型值对偶
-:given: the functions $q$ as the columns of the printed matrix, coefficients of $u^3,u^2,u,1$, and once more as the printed functions over an interval,
-  $t_0=0$, $t_1=1$
+:given: the functions $q_{00},q_{01},q_{10},q_{11}$ by their coefficients of $u^3,u^2,u,1$, which are the columns of the matrix printed in section 2, and once more as
+  $g_{00},g_{01},h_{00},h_{01}$ over the interval $t_0=0$, $t_1=1$
 :then: each is a polynomial of degree 3 with one of the four data $q(0),q(1),q'(0),q'(1)$ equal to 1 and the others equal to 0
 :method: The polynomials and their derivatives at the two integers; the coefficient of $u^3$ is $2q(0)-2q(1)+q'(0)+q'(1)$, so it is
   $2,-2,1,1$, and not 0.
@@ -686,7 +686,7 @@ follows, and the slides do not always keep the two apart.
   $g_{01}(t)=(3-2u)u^2=-2u^3+3u^2=q_{01}(u)$, $h_{00}(t)=u(u-1)^2=u^3-2u^2+u=q_{10}(u)$, $h_{01}(t)=(u-1)u^2=u^3-u^2=q_{11}(u)$; so
   $P_0(t_0+(t_1-t_0)u)=f(t_0)q_{00}(u)+f(t_1)q_{01}(u)+f'(t_0)(t_1-t_0)q_{10}(u)+f'(t_1)(t_1-t_0)q_{11}(u)$
 :holds-by: unit_blending_functions
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: $u$ and the functions divide by $t_1-t_0$, and at equal ends no others will do
 :figure: hermite_blending_functions
 
 In the text at hand the formulas have no signs and no primes; those shown here are true.
@@ -698,12 +698,12 @@ In the text at hand the formulas have no signs and no primes; those shown here a
 :printed: $\varphi(0)=f(t_0)$, $\varphi(1)=f(t_1)$, $\varphi'(0)=f'(t_0)(t_1-t_0)$, $\varphi'(1)=f'(t_1)(t_1-t_0)$, and
   $P(u)=\varphi(0)q_{00}(u)+\varphi(1)q_{01}(u)+\varphi'(0)q_{10}(u)+\varphi'(1)q_{11}(u)$
 :holds-by: unit_blending_functions
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
-:meant: the arguments 0 and 1 where the $f$ of the data has $t_0$ and $t_1$ | $\varphi$ is the polynomial as a function of $u$.
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: $u=\frac{t-t_0}{t_1-t_0}$ divides by $t_1-t_0$, and at equal ends none or infinitely many cubics have the data
+:meant: the arguments 0 and 1 in the place of $t_0$ and $t_1$ | $\varphi$ is the polynomial as a function of $u$.
 :figure: hermite_blending_functions
 
 In the text at hand the formulas have no signs and no primes; those
-shown here are true.
+shown here are true.  For $\varphi$ it has the letter $f$, with a mark that is lost.
 :::
 
 :::{claim} unit_blending_functions
@@ -760,7 +760,7 @@ CLAIM(unit_blending_functions)
 :confirmed-by: one_choice_of_signs_in_the_matrix
 :figure: hermite_blending_functions
 
-In the text at hand the matrix has no signs; of all choices of them the one shown is the only true one: `one_choice_of_signs_in_the_matrix`.
+In the text at hand the column has the letter $f$, with a mark that is lost, for $\varphi$, and the matrix has no signs; of all choices of them the one shown is the only true one: `one_choice_of_signs_in_the_matrix`.
 :::
 */
 
