@@ -222,7 +222,7 @@ CLAIM(straight_data_have_no_cubic)
 ## The cubic with two points and two tangents
 
 The case that matters is the cubic with two values and two slopes.  The slides solve the four equations by brute force and print the
-coefficients multiplied out.  Such sums of monomials are hard to read and easy to misprint; a single missing prime is found by the
+coefficients as sums of many terms.  Such sums are hard to read and easy to misprint; a single missing prime is found by the
 simplest data of all, those of a constant.
 
 :::{statement} slides-ch4:2-cubic-system
@@ -270,16 +270,16 @@ CLAIM(cubic_equations_are_the_conditions)
 
 /*
 :::{statement} slides-ch4:2-cubic-coefficients
-:title: Three of the four coefficients, multiplied out
-:zh: 系数 a3、a1、a0 的展开式
-:printed: $a_3=\frac{f'(t_0)t_1-f'(t_0)t_0+f'(t_1)t_1-f'(t_1)t_0+2f(t_0)-2f(t_1)}{(t_1-t_0)^3}$;
-  $a_1=\frac{f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1}{(t_1-t_0)^3}$;
-  $a_0=\frac{-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3}{(t_1-t_0)^3}$
+:title: Three of the four coefficients of the cubic
+:zh: 系数 a3、a1、a0 的公式
+:printed: $a_3=\frac{-(f'(t_1)+f'(t_0))t_0+f'(t_0)t_1+f'(t_1)t_1+2f(t_0)-2f(t_1)}{(t_1-t_0)^3}$;
+  $a_1=\frac{(2f'(t_1)t_1^2+f'(t_0)t_1^2-6f(t_1)t_1+6f(t_0)t_1)t_0+f'(t_0)t_1^3}{(t_1-t_0)^3}-\frac{f'(t_1)t_0^3+(f'(t_1)t_1+2f'(t_0)t_1)t_0^2}{(t_1-t_0)^3}$;
+  $a_0=-\frac{(f'(t_0)t_1^3+3f(t_0)t_1^2)t_0-f(t_0)t_1^3}{(t_1-t_0)^3}+\frac{(f'(t_1)t_1-f(t_1))t_0^3+(f'(t_0)t_1^2-f'(t_1)t_1^2+3f(t_1)t_1)t_0^2}{(t_1-t_0)^3}$
 :holds-by: cubic_coefficients_by_monomials
 :needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the formula divides by $t_1-t_0$, and at equal ends no other will do
 :figure: nodes_that_meet
 
-In the text at hand the three sums have no signs and no primes; those shown here satisfy the four conditions.
+In the text at hand the three formulas have no signs, primes and fraction bars; with those shown here they satisfy the four conditions.
 :::
 */
 
@@ -346,13 +346,37 @@ static struct G(poly) G(cubic_of_sums)(num t0, num t1, const num data[4], int si
     return p;
 }
 
+/* The cubic with the coefficients as they are printed, the missing prime of a_2 added. */
+static struct G(poly) G(cubic_with_brackets)(num t0, num t1, const num data[4])
+{
+    num f0 = data[0], f1 = data[1], d0 = data[2], d1 = data[3], two = from_int(2), three = from_int(3),
+        six = from_int(6);
+    num t00 = mul(t0, t0), t11 = mul(t1, t1), length = sub(t1, t0), cube = mul(length, mul(length, length));
+    num a3 = sub(mul(two, f0), mul(two, f1));
+    a3 = add(add(neg(mul(add(d1, d0), t0)), add(mul(d0, t1), mul(d1, t1))), a3);
+    num first = add(mul(d1, t11), mul(two, mul(d0, t11)));
+    first = add(first, sub(mul(three, mul(f0, t1)), mul(three, mul(f1, t1))));
+    num bracket = add(sub(mul(d0, t1), mul(d1, t1)), sub(mul(three, f1), mul(three, f0)));
+    num a2 = sub(add(mul(add(d0, mul(two, d1)), t00), mul(bracket, t0)), first);
+    bracket = add(mul(two, mul(d1, t11)), mul(d0, t11));
+    bracket = add(sub(bracket, mul(six, mul(f1, t1))), mul(six, mul(f0, t1)));
+    first = add(mul(bracket, t0), mul(d0, mul(t11, t1)));
+    num a1 = sub(first, add(mul(d1, mul(t00, t0)), mul(add(mul(d1, t1), mul(two, mul(d0, t1))), t00)));
+    bracket = add(mul(d0, mul(t11, t1)), mul(three, mul(f0, t11)));
+    first = sub(mul(bracket, t0), mul(f0, mul(t11, t1)));
+    bracket = add(sub(mul(d0, t11), mul(d1, t11)), mul(three, mul(f1, t1)));
+    num a0 = sub(add(mul(sub(mul(d1, t1), f1), mul(t00, t0)), mul(bracket, t00)), first);
+    return (struct G(poly)){3, {div(a0, cube), div(a1, cube), div(a2, cube), div(a3, cube)}};
+}
+
 /*
 :::{claim} cubic_coefficients_by_monomials
-:title: The coefficients of the interpolating cubic as sums of monomials
-:zh: 三次插值系数的单项式展开
+:title: The coefficients of the interpolating cubic, as printed and as sums of monomials
+:zh: 三次插值系数的公式及其单项式展开
 :given: $t_0\ne t_1$, values $f(t_0),f(t_1)$ and derivatives $f'(t_0),f'(t_1)$
-:then: the cubic with the four sums, divided by $(t_1-t_0)^3$, as coefficients satisfies the four conditions
-:method: Everything variable; the sums are entered as lists of monomials.
+:then: the cubic with the four printed coefficients, in $a_2$ the prime added, satisfies the four conditions; so does it with the sums of monomials that they become when the brackets
+  are multiplied out
+:method: Everything variable; the formulas are entered with their brackets, and once more as lists of monomials.
 :over: t# h#: different nodes; f#: data
 :control: the sign of the first monomial of $a_2$ reversed
 :::
@@ -362,24 +386,31 @@ CLAIM(cubic_coefficients_by_monomials)
     num t0, t1, data[4];
     G(interval)(T, &t0, &t1);
     G(four_data)(T, data);
-    G(osculates)(T, G(cubic_of_sums)(t0, t1, data, fault(T, 1, -1)), t0, t1, data);
+    struct G(poly) sums = G(cubic_of_sums)(t0, t1, data, fault(T, 1, -1)),
+                   printed = G(cubic_with_brackets)(t0, t1, data);
+    G(osculates)(T, sums, t0, t1, data);
+    G(osculates)(T, printed, t0, t1, data);
+    for (int k = 0; k <= 3; k++) {
+        about(T, "a coefficient as printed, and multiplied out");
+        same(T, printed.c[k], sums.c[k]);
+    }
 }
 
 /*
 :::{statement} slides-ch4:2-cubic-a2
-:title: The coefficient of the square, multiplied out
-:zh: 系数 a2 的展开式
-:printed: a_2=\frac{-2f(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
+:title: The coefficient of the square
+:zh: 系数 a2 的公式
+:printed: a_2=-\frac{f'(t_1)t_1^2+2f(t_0)t_1^2+3f(t_0)t_1-3f(t_1)t_1}{(t_1-t_0)^3}+\frac{(f'(t_0)+2f'(t_1))t_0^2+(f'(t_0)t_1-f'(t_1)t_1-3f(t_0)+3f(t_1))t_0}{(t_1-t_0)^3}
 :refuted-by: square_needs_the_prime
 :class: misprint
-:corrected: a_2=\frac{-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
+:corrected: a_2=-\frac{f'(t_1)t_1^2+2f'(t_0)t_1^2+3f(t_0)t_1-3f(t_1)t_1}{(t_1-t_0)^3}+\frac{(f'(t_0)+2f'(t_1))t_0^2+(f'(t_0)t_1-f'(t_1)t_1-3f(t_0)+3f(t_1))t_0}{(t_1-t_0)^3}
 :corrected-by: cubic_coefficients_by_monomials
 :needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the formula divides by $t_1-t_0$, and at equal ends no other will do
 :figure: square_without_its_prime
 
-In the text at hand the sum has no signs and no primes, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
-$2f'(t_1)t_0^2$ of the same line, and in the first term they are together, as in $3f(t_0)t_1$.  Whatever signs the ten terms are given, the formula is false; with a prime and
-the signs shown here it is true.
+In the text at hand the formula has no signs, primes and fraction bars, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
+$2f'(t_1)$ of the second fraction, and in $2f(t_0)t_1^2$ they are together, as in $3f(t_0)t_1$.  Multiplied out the formula has ten terms.  Whatever signs these are given, and so
+whatever signs its terms, brackets and fractions have, it is false; with a prime and the signs shown here it is true.
 :::
 */
 
@@ -392,7 +423,7 @@ the signs shown here it is true.
 :data: t = 0 1; f = 1 1; f' = 0 0
 :result: P(t_1) with -2f(t_0) = -1; P(t_1) with +2f(t_0) = 3
 :given: the nodes $t$, and the values $f$ and derivatives $f'$ of a constant
-:then: whatever signs the ten terms of the printed $a_2$ have, the curve does not end in $f(t_1)$
+:then: whatever signs the ten terms of the printed $a_2$ have when it is multiplied out, the curve does not end in $f(t_1)$
 :method: The printed sums, that of $a_2$ with all $2^{10}$ choices of signs; the value at $t_1$.  It is shown for the signs of the correct formula and for those
   with another sign of the first term.
 :control: the term with its prime
