@@ -517,7 +517,7 @@ follows, and the slides do not always keep the two apart.
 :::{statement} slides-ch4:2-substitution
 :title: The blending functions over the unit interval
 :zh: 变换到单位区间
-:printed: $u=\frac{t-t_0}{t_1-t_0}$, $t=t_0+(t_1-t_0)u$: $g_{00}(t)=(1+2u)(u-1)^2=2u^3-3u^2+1=q_{00}(u)$,
+:printed: So that $t_0\le t\le t_1$ becomes $0\le u\le1$: $u=\frac{t-t_0}{t_1-t_0}$, $t=t_0+(t_1-t_0)u$; $g_{00}(t)=(1+2u)(u-1)^2=2u^3-3u^2+1=q_{00}(u)$,
   $g_{01}(t)=(3-2u)u^2=-2u^3+3u^2=q_{01}(u)$, $h_{00}(t)=u(u-1)^2=u^3-2u^2+u=q_{10}(u)$, $h_{01}(t)=(u-1)u^2=u^3-u^2=q_{11}(u)$; so
   $P_0(t_0+(t_1-t_0)u)=f(t_0)q_{00}(u)+f(t_1)q_{01}(u)+f'(t_0)(t_1-t_0)q_{10}(u)+f'(t_1)(t_1-t_0)q_{11}(u)$
 :holds-by: unit_blending_functions
@@ -546,7 +546,7 @@ shown here are true.  For $\varphi$ it has the letter $f$, with a mark that is l
 :zh: 单位区间上的混合函数
 :given: $t_0<t_1$, any data, any $u$, $t=t_0+(t_1-t_0)u$
 :harmless: $t_0<t_1$ | the identities are those of two different nodes, in any order
-:then: the printed functions of $t$ are those of $u$ in all three forms, in factors, in powers and as the columns of the $4\times4$ matrix, and the sum with the derivatives times $t_1-t_0$ is the
+:then: $u=\frac{t-t_0}{t_1-t_0}$, which runs from 0 to 1 while $t$ runs from $t_0$ to $t_1$; the printed functions of $t$ are those of $u$ in all three forms, in factors, in powers and as the columns of the $4\times4$ matrix, and the sum with the derivatives times $t_1-t_0$ is the
   interpolating cubic; as a function of $u$ it has at $u=0$ and $u=1$ the values $f(t_0)$, $f(t_1)$ and the derivatives $f'(t_0)(t_1-t_0)$, $f'(t_1)(t_1-t_0)$
 :method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
 :over: t# h#: different nodes; f#: data
@@ -564,6 +564,8 @@ CLAIM(unit_blending_functions)
     num factored[4] = {mul(mul(v, v), add(mul(two, u), one)), mul(uu, sub(from_int(3), mul(two, u))), mul(u, mul(v, v)),
                        mul(uu, v)};
     num cubic = from_int(0), scaled[4];
+    about(T, "u from t");
+    same(T, div(sub(t, t0), length), u);
     struct G(poly) of_u = G(constant)(from_int(0)); /* the sum as a polynomial in u, by the columns of the matrix */
     for (int i = 0; i < 4; i++) {
         struct G(poly) g = G(printed_blending)(t0, t1, i), in_u = {.n = 3};

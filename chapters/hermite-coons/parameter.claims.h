@@ -364,7 +364,7 @@ The rest of the list says what is gained.  Most items are properties of Bézier 
 :then: $P_1+(P_2-P_1)t=(1-t)P_1+tP_2$ is the curve of `bezier_casteljau`, its derivative by `bezier_derivatives` is $P_2-P_1$, and its
   distances from the ends are $|t|$ and $|1-t|$ times the length: $|P(t)-P_1|^2=t^2|P_2-P_1|^2$ and $|P_2-P(t)|^2=(1-t)^2|P_2-P_1|^2$
 :method: Each form, everything a variable.  For $0\le t\le1$ the two distances add up to the length, so that the point is between $P_1$ and $P_2$; and each of these points has
-  its $t$, the share of its distance from $P_1$.
+  its $t$, the share of its distance from $P_1$ in the length; where $P_1=P_2$ all are one point.
 :over: x# y#: points
 :control: the two points exchanged in the first form
 :::
