@@ -567,7 +567,7 @@ The section ends with the word fair (光顺), which is explained by three condit
 :zh: 光顺
 :printed: Fairness means that a curve has not too many inflections and is smooth and flowing.  For plane curves, relatively: (1) $G^2$; (2) no superfluous inflections and singular
   points; (3) small changes of the curvature.
-:reading: unit_tangent_jumps_at_the_cusp | beside (1) the condition (2) is not superfluous: $G^2$ as the slides explain it, by proportional derivatives, admits the
+:reading: unit_tangent_jumps_at_the_cusp | beside $G^2$ the condition on singular points is not superfluous: $G^2$ as the slides explain it, by proportional derivatives, admits the
   singular point of a cusp, where the derivatives of both sides are equal and the tangent turns back
 :reading: what is superfluous, and which change of the curvature is small: the text does not say, so that nothing is there
   to be decided

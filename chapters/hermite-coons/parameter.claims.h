@@ -470,9 +470,9 @@ this cubic has, too: `nodal_cubic_has_an_equation`.
 :zh: 变量个数不限,便于扩展到高维
 :printed: In parametric equations the algebraic and the geometric, the dependent and the independent variables are completely separated, and
   their number is not limited, so that it is easy to take curves and surfaces from a space of few dimensions to one of more.
-:reading: matrices_pass_to_the_points | from a plane to space: whatever third coordinates the points get, the curve of the plane, or the surface if the functions have two parameters, stays what the first two are, as the
+:reading: matrices_pass_to_the_points | curves and surfaces can be taken from a plane to space: whatever third coordinates the points get, the curve of the plane, or the surface if the functions have two parameters, stays what the first two are, as the
   matrix that leaves the third one out shows
-:reading: another_coordinate_changes_no_other | of a curve, from any number of coordinates to one more: it keeps those that it has | Each coordinate of the curve is a sum of its own, of the same
+:reading: another_coordinate_changes_no_other | a curve can be taken from any number of coordinates to one more: it keeps those that it has | Each coordinate of the curve is a sum of its own, of the same
   functions times this coordinate of the points.  So it is for every degree and any number of coordinates, and for surfaces with functions of two parameters; of these nothing was computed.
 :reading: what is easy, when variables are completely separated, and which variables besides the coordinates have a number without limit: the slides do not say, so that nothing is there to be decided
 :::
@@ -513,8 +513,8 @@ CLAIM(another_coordinate_changes_no_other)
 :title: Vectors and matrices
 :zh: 易于用矢量和矩阵表示
 :printed: It is easy to represent the geometry by vectors and matrices, and the computation is simple.
-:reading: small_degrees_written_out | Bézier curves of the degrees 1, 2 and 3 as products with matrices
-:reading: unit_blending_functions | the cubic of two points and two tangents as such a product, the functions being the columns of a $4\times4$ matrix
+:reading: small_degrees_written_out | Bézier curves of the degrees 1, 2 and 3 are products with matrices
+:reading: unit_blending_functions | the cubic of two points and two tangents is a product with a $4\times4$ matrix, whose columns are the functions
 :reading: what is easy and what simple: an opinion, which no computation decides
 :::
 
