@@ -28,8 +28,8 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
   $h_{i0}=\frac{t-t_i}{t_{i+1}-t_i}\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$, $h_{i1}=\frac{t-t_{i+1}}{t_{i+1}-t_i}\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
 :confirmed-by: base_functions_interpolate_once_continuously
-:needs: equal_ends_have_no_cubic | the words: on the interval $[t_i,t_{i+1}]$ (在区间 $[t_i,t_{i+1}]$) | $t_i\ne t_{i+1}$: an
-  interval $[t_i,t_{i+1}]$
+:needs: equal_ends_have_no_cubic | the words: on the interval $[t_i,t_{i+1}]$ (在区间 $[t_i,t_{i+1}]$) | $t_i\ne t_{i+1}$: the
+  functions divide by $t_{i+1}-t_i$
 :figure: nodes_that_meet
 
 In the text at hand the formulas have no signs and no primes; with those shown here each piece has its four data.
@@ -362,8 +362,8 @@ have two different vectors at their common node.  The slides call both $P_i'$.
   $P_i(u)=P_i(2u^3-3u^2+1)+P_{i+1}(-2u^3+3u^2)+P_i'(u^3-2u^2+u)+P_{i+1}'(u^3-u^2)$, and the same by the matrix
 :holds-by: unit_blending_functions
 :confirmed-by: one_choice_of_signs_in_the_matrix
-:needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: an
-  interval
+:needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: $u$
+  is a quotient by $t_{i+1}-t_i$
 :meant: the line below the formula, which begins with "where" (其中) | $P_i'$ and $P_{i+1}'$ are the derivatives times $t_{i+1}-t_i$.
 :reading: unit_blending_functions | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as in the line below
 :reading: tangent_over_the_unit_interval_is_scaled | $P_i'=f'(t_i)$, as for the piece over its own interval
@@ -377,8 +377,8 @@ In the text at hand the formula has no signs and no primes; with those shown her
 :zh: 单段端点切向量的缩放
 :printed: where $P_i=P(t_i)=f(t_i)$, $P_{i+1}=P(t_{i+1})=f(t_{i+1})$, $P_i'=f'(t_i)(t_{i+1}-t_i)$, $P_{i+1}'=f'(t_{i+1})(t_{i+1}-t_i)$
 :holds-by: unit_blending_functions
-:needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: an
-  interval
+:needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: $u$
+  is a quotient by $t_{i+1}-t_i$
 :meant: the word "where" (其中) below the formula of the piece $P_i(u)$ | The vectors $P_i'$ and $P_{i+1}'$ are those of the one piece over $[t_i,t_{i+1}]$.
 :reading: unit_blending_functions | the vectors of one piece
 :reading: one_scaled_tangent_for_two_pieces_makes_a_jump | one vector $P_i'$ for both pieces that meet at $t_i$
