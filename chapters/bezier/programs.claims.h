@@ -463,12 +463,12 @@ behind it.
 :::{statement} slides-ch4:4-program-delete
 :title: The arrays are released
 :zh: 释放数组
-:printed: delete R; delete Q; where no square bracket of the program is left to be read
-:reading: program_stays_in_its_arrays | delete[] R; delete[] Q; with brackets that are lost like all others: right
-:reading: program_releases_arrays_as_numbers | delete R; delete Q; as it stands: wrong
+:printed: delete R; delete Q;
+:reading: program_stays_in_its_arrays | if delete[] was printed, and its brackets are lost like all others, the arrays are released as they were made
+:reading: program_releases_arrays_as_numbers | if delete was printed, as it stands here, the arrays are released as they were made
 
-In C++ what was made by new[] has to be released by delete[]; with delete the behaviour is undefined.  In the text at hand new double[n+1] is
-without its brackets as well, so that it does not tell which was printed.
+In C++ what was made by new[] has to be released by delete[]; with delete the behaviour is undefined.  In the text at hand no square bracket of the
+program is left: new double[n+1] is without its brackets as well, so that it does not tell which was printed.
 :::
 
 :::{claim} program_releases_arrays_as_numbers

@@ -34,7 +34,9 @@ being continuous, one that has their limits without being continuous itself.
   difference has the factor $(x-x_0)^{k+1}$.
 :hypothesis: equal_derivatives_are_not_continuous | on either side the function has $k$ continuous derivatives up to $x_0$; as
   pieces that are polynomials have
-:hypothesis: equal_limits_do_not_make_a_continuous_function | the values are counted as the derivatives of order 0
+:meant: the class $C^0$ of the next sentence, which has no other order | The order 0 is among the orders up to $k$: the values are counted as the derivatives of order 0.
+:reading: a_factor_raises_the_order_of_a_zero | the orders $0,1,\dots,k$, the values being those of the order 0
+:reading: equal_limits_do_not_make_a_continuous_function | the orders $1,\dots,k$ alone, by limits of $f',\dots,f^{(k)}$ from either side
 :figure: differentiable_without_continuity
 
 By difference quotients from either side the condition says that $f$ is differentiable at $x_0$, and not that $f'$ is continuous there;
@@ -124,7 +126,7 @@ CLAIM(equal_limits_do_not_make_a_continuous_function)
   $(x-x_0)^{k+1}r(x)$, by induction over $k$, and $p$ and $p+(x-x_0)^{k+1}r$ have the same derivatives at $x_0$ up to the order $k$.  By Taylor's
   formula every polynomial with these equalities is of this form.
 :scope: every order
-:over: s#: derivatives; j: -; x#: x₀
+:over: s# j: -; x#: points
 :control: the factor $j$ in the place of $j+1$
 :::
 */
@@ -388,7 +390,7 @@ provided that both have a direction.
 :printed: $G^1$ means that the first derivatives of the two segments are proportional at the joint: equal in direction, different in size.
 :holds-by: equal_unit_tangents_fix_the_ratio
 :hypothesis: singular_end_has_no_ratio | neither derivative is 0 at the joint
-:needs: negative_ratio_turns_back | the words: the tangents have one direction | the derivatives are equal in direction:
+:needs: negative_ratio_turns_back | the words: equal in direction (方向相同) | the derivatives are equal in direction:
   proportional with a negative factor is a curve that turns back
 :meant: the word that is explained, proportional (成比例) | The sizes may differ.
 :reading: equal_unit_tangents_fix_the_ratio | the sizes may differ
@@ -439,7 +441,7 @@ part along the tangent may be added.  Each of the four readings of the printed s
 :printed: $G^2$ means that the first and the second derivatives of the two segments are proportional at the joint.
 :refuted-by: proportional_derivatives_with_another_curvature one_factor_for_both_derivatives smooth_curve_without_proportional_derivatives proportional_derivatives_by_arc_length
 :class: false
-:corrected: $\dot P_{\mathrm{II}}=\lambda\dot P_{\mathrm I}$ and $\ddot P_{\mathrm{II}}=\lambda^2\ddot P_{\mathrm I}+\beta\dot P_{\mathrm I}$ at the joint of the segments $P_{\mathrm I}$
+:corrected: $G^2$ means $\dot P_{\mathrm{II}}=\lambda\dot P_{\mathrm I}$ and $\ddot P_{\mathrm{II}}=\lambda^2\ddot P_{\mathrm I}+\beta\dot P_{\mathrm I}$ at the joint of the segments $P_{\mathrm I}$
   and $P_{\mathrm{II}}$, with some $\lambda>0$ and some $\beta$, $\dot P_{\mathrm I}\ne0$
 :corrected-by: conditions_make_one_curve_in_another_parameter condition_keeps_the_curvature_vector curvature_vector_forces_the_condition
   second_derivative_splits_along_the_first curvature_vector_is_the_turning_of_the_tangent
@@ -565,8 +567,8 @@ The section ends with the word fair (光顺), which is explained by three condit
 :zh: 光顺
 :printed: Fairness means that a curve has not too many inflections and is smooth and flowing.  For plane curves, relatively: (1) $G^2$; (2) no superfluous inflections and singular
   points; (3) small changes of the curvature.
-:reading: unit_tangent_jumps_at_the_cusp | the second condition says more than the first: $G^2$ as the slides explain it, by
-  proportional derivatives; at a cusp the derivatives of both sides are equal, hence proportional, and the tangent turns back
+:reading: unit_tangent_jumps_at_the_cusp | beside $G^2$ the condition on singular points is not superfluous: $G^2$ as the slides explain it, by proportional derivatives, admits the
+  singular point of a cusp, where the derivatives of both sides are equal and the tangent turns back
 :reading: what is superfluous, and which change of the curvature is small: the text does not say, so that nothing is there
   to be decided
 :::

@@ -164,7 +164,7 @@ All three terms of the Boolean sum are then the same surface, and of $1+1-1$ cop
 :::{statement} slides-ch4:3-product
 :title: The patch as a product of matrices
 :zh: 双三次 Coons 曲面的矩阵形式
-:printed: P(u,w)=q(u)\,M\,q(w)^T=[u^3\;u^2\;u\;1]\,H\,M\,H^T\,[w^3\;w^2\;w\;1]^T,\quad H=\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}
+:printed: P(u,w)=q(u)\,M\,q(w)^T=[u^3\;u^2\;u\;1]\,H\,M\,H^T\,[w^3\;w^2\;w\;1]^T,\quad H=\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix},\quad M=\begin{bmatrix}00&01&00_w&01_w\\10&11&10_w&11_w\\00_u&01_u&00_{uw}&01_{uw}\\10_u&11_u&10_{uw}&11_{uw}\end{bmatrix}
 :holds-by: cubic_frame_of_corners_gives_the_product tensor_kernel_is_the_matrix_product
 :confirmed-by: one_choice_of_signs_in_the_matrix
 :figure: worked_patch
@@ -177,7 +177,7 @@ In the text at hand $H$ has no signs; of all choices of them the one shown is th
 :title: The kernel gives every derivative of the product, and at the corners the sixteen data
 :zh: 张量积曲面的各阶偏导与角点数据
 :given: any $M$, $u$, $w$, orders 0 to 3 in $u$ and in $w$
-:let: $U=[u^3\;u^2\;u\;1]$, $W=[w^3\;w^2\;w\;1]$, and $H$ the matrix whose columns are the coefficients of the four functions $q$
+:let: $U=[u^3\;u^2\;u\;1]$, $W=[w^3\;w^2\;w\;1]$, and $H$ the matrix whose columns are the coefficients of $q_{00},q_{01},q_{10},q_{11}$
 :then: `hermite_tensor` is the derivative of $UHMH^TW^T$; its values, first derivatives and twists at the corners are $M$
 :method: The sixteen coefficients $HMH^T$ and the derivatives of the powers; everything variable.
 :defines: hermite_tensor
@@ -221,7 +221,7 @@ must come out.  That it holds with several choices is due to symmetries: where a
 :holds-by: signs_of_the_worked_patch
 :figure: worked_patch
 
-In the text at hand the six matrices have no signs: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$, $H$ being that of `3-product`, has the printed absolute
+In the text at hand the six matrices have no signs: there are signs of $M_x,M_y,M_z$ for which $C=HMH^T$, the columns of $H$ being the coefficients of $q_{00},q_{01},q_{10},q_{11}$, has the printed absolute
 values.  Those for $x$ differ by the sign of all derivatives with respect to $w$, the twists among them.  In $z$ the sign of the tangents along
 $w$ and that of the twists are free; in $y$ that of the tangents along $u$ and that of the twists.
 :::

@@ -40,7 +40,7 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | the blending functions have
   the printed values at the ends: without them the borders are lost
 :needs: blendings_without_sum_one_move_the_patch | the conditions printed with the functions | the blending functions have the
-  sum 1: with it the patch moves with its frame, without it it need not
+  sum 1: with it the patch $P_1+P_2-P_3$ moves with its frame of four curves, without it this need not be so
 :needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | the blending functions have the
   sum 1: with it the curves of $P_1$ and $P_2$ between opposite borders stay on the line of two points, without it they need not
 :figure: boolean_sum
@@ -600,8 +600,10 @@ in more than the corners: from each of two borders the corner inherits a mixed d
   $q=[q_{00}\;q_{01}\;q_{10}\;q_{11}]$, $M=\begin{bmatrix}00&01&00_w&01_w\\10&11&10_w&11_w\\00_u&01_u&00_{uw}&01_{uw}\\10_u&11_u&10_{uw}&11_{uw}\end{bmatrix}$, has the four borders and the
   four derivatives across; for $u=0$ the right side is $0w$, and its derivative with respect to $u$ is $0w_u$
 :holds-by: coons_kernel_is_the_bordered_product borders_and_cross_derivatives_are_kept unit_functions_are_dual_to_the_data
-:hypothesis: two_twists_cannot_both_be_kept | at each corner the data agree: points, tangents, and the derivative of $0w_u$
-  along its border with that of $u0_w$ along its own
+:hypothesis: two_points_cannot_both_be_kept | the curves meet at the corners
+:hypothesis: two_tangents_cannot_both_be_kept | at the corners the derivatives across the borders are the tangents of the other borders
+:hypothesis: two_twists_cannot_both_be_kept | at each corner both derivatives across have one twist: the derivative of $0w_u$
+  along its border is that of $u0_w$ along its own, likewise at the other corners
 :figure: two_twists
 
 In the text at hand the sums of products have no signs; with those shown here the patch keeps its data.
@@ -613,7 +615,9 @@ In the text at hand the sums of products have no signs; with those shown here th
 :printed: From $u0,u1,0w,1w$ and $u0_w,u1_w,0w_u,1w_u$ the points, tangents and twist vectors of the four corners can be computed.
 :holds-by: corner_of_the_patch_is_two_ends_less_an_entry unit_functions_are_dual_to_the_data
 :confirmed-by: borders_and_cross_derivatives_are_kept cubic_frame_takes_the_data_of_the_corners
-:hypothesis: two_twists_cannot_both_be_kept | both ways to compute each of them give one vector
+:hypothesis: two_points_cannot_both_be_kept | the curves meet at the corners
+:hypothesis: two_tangents_cannot_both_be_kept | at the corners the derivatives across the borders are the tangents of the other borders
+:hypothesis: two_twists_cannot_both_be_kept | at each corner both derivatives across have one twist: so for each of these vectors both ways to compute it give one
 :figure: two_twists
 :::
 
@@ -632,6 +636,84 @@ In the text at hand the sums of products have no signs; with those shown here th
 CLAIM(borders_and_cross_derivatives_are_kept) { G(borders_are_kept)(T, 4); }
 
 #if RATIONAL
+/* Two borders ask for different vectors, asked[0] and asked[1], at the corner u = w = 0, in the place (k,l) of M, k and l being 0 or 2; all
+ * other data are 0.  The datum number k of 0w,1w,0w_u,1w_u is asked[0] q_l(w), the datum number l of u0,u1,u0_w,u1_w is asked[1] q_k(u). */
+static void one_of_two_is_lost(trial *T, int k, int l, const char *const data[4], const char *const name[2][2])
+{
+    num zero = from_int(0), one = from_int(1), q[2][4], M[16], P[2], asked[2] = {given(T, data[0]), given(T, data[1])};
+    hermite_blending_q(zero, one, given(T, "u"), 0, q[0]);
+    hermite_blending_q(zero, one, given(T, "w"), 0, q[1]);
+    num at[2] = {mul(asked[0], q[1][l]), mul(asked[1], q[0][k])};
+    num unit_k[4] = {zero, zero, zero, zero}, unit_l[4] = {zero, zero, zero, zero};
+    unit_k[k] = one, unit_l[l] = one;
+    int kept = 0;
+    found(T, data[2], at[0]);
+    found(T, data[3], at[1]);
+    for (int taken = 0; taken < 2; taken++) {
+        for (int i = 0; i < 16; i++)
+            M[i] = i == 4 * k + l ? asked[taken] : zero;
+        /* on a border its own function is asked for; what runs along the other one has there its vector */
+        num along_w[4] = {zero, zero, zero, zero}, along_u[4] = {zero, zero, zero, zero};
+        num end_of_w[4] = {zero, zero, zero, zero}, end_of_u[4] = {zero, zero, zero, zero};
+        along_w[k] = at[0], end_of_u[l] = asked[1];
+        coons_patch_q(4, 1, unit_k, q[1], along_w, end_of_u, M, &P[0]);
+        end_of_w[k] = asked[0], along_u[l] = at[1];
+        coons_patch_q(4, 1, q[0], unit_l, end_of_w, along_u, M, &P[1]);
+        for (int side = 0; side < 2; side++)
+            found(T, name[taken][side], P[side]);
+        kept += equal_q(P[0], at[0]) && equal_q(P[1], at[1]);
+    }
+    about(T, "whether one of the two matrices keeps both data");
+    agree(T, kept > 0);
+}
+
+/*
+:::{claim} two_points_cannot_both_be_kept
+:title: Two points at a corner: whichever is taken, one border is lost
+:zh: 角点不闭合则不能同时保持两边界
+:kind: counterexample
+:data: 0w at 0 = 0; u0 at 0 = 1; u = 1/2; w = 1/2
+:instead: u0 at 0 = 0
+:result: 0w at w = 0; u0 at u = 1/2; P(0,w) with the first = 1/2; P(u,0) with the first = 1/2; P(0,w) with the second = 0; P(u,0) with the second = 0
+:given: all data 0 but two borders, $0w=pq_{00}(w)$ and $u0=p'q_{00}(u)$: the one begins at $p$ for $u=w=0$, the other at $p'$, and they differ
+:then: with the first point as $00$ in the matrix $M$ of the corners the border $u=0$ is another curve than $0w$; with the second the border $w=0$ is another
+  than $u0$
+:method: The kernel at $w$ on the one border and at $u$ on the other, for both matrices.
+:control: both borders begin at one point
+:::
+*/
+CLAIM(two_points_cannot_both_be_kept)
+{
+    static const char *const data[4] = {"0w at 0", "u0 at 0", "0w at w", "u0 at u"};
+    static const char *const name[2][2] = {{"P(0,w) with the first", "P(u,0) with the first"},
+                                           {"P(0,w) with the second", "P(u,0) with the second"}};
+    one_of_two_is_lost(T, 0, 0, data, name);
+}
+
+/*
+:::{claim} two_tangents_cannot_both_be_kept
+:title: Two tangents at a corner: whichever is taken, a border or a derivative across is lost
+:zh: 角点切向量不相容则不能同时保持
+:kind: counterexample
+:data: 0w_u at 0 = 0; tangent of u0 at 0 = 1; u = 1/2; w = 1/2
+:instead: tangent of u0 at 0 = 0
+:result: 0w_u at w = 0; u0 at u = 1/8; P_u(0,w) with the first = 1/2; P(u,0) with the first = 1/8; P_u(0,w) with the second = 0; P(u,0) with the second = 0
+:given: all data 0 but a derivative across a border, $0w_u=\tau q_{00}(w)$, and a border, $u0=\tau'q_{10}(u)$: the one asks for the tangent $\tau$ along $u$ at
+  $u=w=0$, the other for $\tau'$, and they differ
+:then: with the first tangent as $00_u$ in the matrix $M$ of the corners the border $u=0$ has another derivative across it than $0w_u$; with the second the border $w=0$ is
+  another than $u0$
+:method: The kernel at $w$ on the one border and at $u$ on the other, for both matrices.
+:control: both ask for one tangent
+:::
+*/
+CLAIM(two_tangents_cannot_both_be_kept)
+{
+    static const char *const data[4] = {"0w_u at 0", "tangent of u0 at 0", "0w_u at w", "u0 at u"};
+    static const char *const name[2][2] = {{"P_u(0,w) with the first", "P(u,0) with the first"},
+                                           {"P_u(0,w) with the second", "P(u,0) with the second"}};
+    one_of_two_is_lost(T, 2, 0, data, name);
+}
+
 /*
 :::{claim} two_twists_cannot_both_be_kept
 :title: Two twists at a corner: whichever is taken, one derivative across is lost
@@ -650,30 +732,10 @@ CLAIM(borders_and_cross_derivatives_are_kept) { G(borders_are_kept)(T, 4); }
 */
 CLAIM(two_twists_cannot_both_be_kept)
 {
+    static const char *const data[4] = {"twist of 0w_u", "twist of u0_w", "0w_u", "u0_w"};
     static const char *const name[2][2] = {{"P_u(0,w) with the first", "P_w(u,0) with the first"},
                                            {"P_u(0,w) with the second", "P_w(u,0) with the second"}};
-    num zero = from_int(0), one = from_int(1), q[2][4], M[16], P[2];
-    num twist[2] = {given(T, "twist of 0w_u"), given(T, "twist of u0_w")};
-    hermite_blending_q(zero, one, given(T, "u"), 0, q[0]);
-    hermite_blending_q(zero, one, given(T, "w"), 0, q[1]);
-    num asked[2] = {mul(twist[0], q[1][2]), mul(twist[1], q[0][2])}, unit[4] = {zero, zero, one, zero};
-    found(T, "0w_u", asked[0]);
-    found(T, "u0_w", asked[1]);
-    int kept = 0;
-    for (int taken = 0; taken < 2; taken++) {
-        for (int i = 0; i < 16; i++)
-            M[i] = i == 10 ? twist[taken] : zero;
-        /* across a border its own function is asked for; what runs along the other one has there its twist */
-        num along_w[4] = {zero, zero, asked[0], zero}, of_u0[4] = {zero, zero, twist[1], zero};
-        coons_patch_q(4, 1, unit, q[1], along_w, of_u0, M, &P[0]);
-        num of_0w[4] = {zero, zero, twist[0], zero}, along_u[4] = {zero, zero, asked[1], zero};
-        coons_patch_q(4, 1, q[0], unit, of_0w, along_u, M, &P[1]);
-        for (int k = 0; k < 2; k++)
-            found(T, name[taken][k], P[k]);
-        kept += equal_q(P[0], asked[0]) && equal_q(P[1], asked[1]);
-    }
-    about(T, "whether one of the two matrices keeps both derivatives");
-    agree(T, kept > 0);
+    one_of_two_is_lost(T, 2, 2, data, name);
 }
 #endif
 

@@ -6,223 +6,10 @@
 #include "chapters/judge/claims_on.h"
 
 /*
-## The general problem
-
-A polynomial of degree $N$ has $N+1$ coefficients, and so many numbers can be prescribed: values at different nodes, and at each node
-derivatives up to some order without a gap.  Whether there is a solution is a question of linear algebra, and one answer
-serves for existence and uniqueness, the system being square.
-
-:::{statement} slides-ch4:2-hermite-problem
-:title: The polynomial with given values and derivatives
-:zh: 一般 Hermite 插值问题
-:printed: A polynomial $P(t)$ of degree $N=m_0+m_1+\dots+m_k-1$ is to be determined, with $P^{(j)}(t_i)=f^{(j)}(t_i)$, $i=0,1,\dots,k$,
-  $j=0,1,\dots,m_i-1$.
-:holds-by: one_more_datum_determines_one_more_coefficient a_factor_raises_the_order_of_a_zero
-:confirmed-by: hermite_interpolant_exists_and_is_unique
-:hypothesis: straight_data_have_no_cubic | the degree is at most $N$: of degree exactly $N$ there may be none
-:needs: equal_nodes_have_no_interpolant | $k+1$ nodes $t_0,\dots,t_k$ are given | the $k+1$ points $t_i$ are different
-:figure: hermite_blending_functions
-:::
-
-:::{statement} slides-ch4:2-general-degree
-:title: In general the interpolating polynomial is of a high degree
-:zh: 一般 Hermite 插值多项式次数较高
-:printed: for the general problem the interpolating polynomial is in general of a rather high degree, and inconvenient to use
-:reading: one_more_datum_determines_one_more_coefficient | its degree grows with the data, over different nodes: it is one less than their number, but for a
-  last datum that the polynomial of those before has already
-:reading-with: a_factor_raises_the_order_of_a_zero
-:confirmed-by: hermite_interpolant_exists_and_is_unique
-:reading: which degree is high, and what inconvenient: the slides do not say, so that nothing is there to be decided
-:figure: hermite_blending_functions
-:::
-*/
-
-/*
-:::{claim} hermite_interpolant_exists_and_is_unique
-:title: Values and derivatives at different nodes determine one polynomial
-:zh: Hermite 插值多项式存在且唯一
-:given: different nodes with multiplicities of the sum $N+1$, all $2^N$ ways to choose them in the field, random ones elsewhere
-:then: from the values and derivatives of any polynomial of degree at most $N$ the kernel `hermite_interpolant` gives its
-  coefficients back; hence to any data there is exactly one polynomial of degree at most $N$
-:method: Nodes and coefficients are variables; the data are the derivatives of the power form.  The map from $N+1$ coefficients
-  to $N+1$ data is linear and has a left inverse, so it is one to one, and being square, it is onto.
-:degrees: N = 0..6 sampled 10
-:over: t#: different nodes; c#: coefficients
-:defines: hermite_interpolant
-:control: the last datum replaced by 0
-:::
-*/
-/* Pattern number m of `count` nodes: bit a says that node a+1 differs from node a.  Returns how many different ones. */
-static int G(multiplicities)(int count, int m, int l[])
-{
-    int d = 0;
-    l[0] = 1;
-    for (int a = 0; a + 1 < count; a++) {
-        if (m >> a & 1)
-            l[++d] = 0;
-        l[d]++;
-    }
-    return d + 1;
-}
-
-CLAIM(hermite_interpolant_exists_and_is_unique)
-{
-    int N = T->degree, l[MAX_ORDER];
-    num tau[MAX_ORDER], f[MAX_ORDER], c[MAX_ORDER];
-    struct G(poly) p = G(free_poly)(T, "c", N);
-    int patterns = FIELD ? 1 << N : 1;
-    for (int m = 0; m < patterns; m++) {
-        int d = G(multiplicities)(N + 1, FIELD ? m : pick(T, 0, (1 << N) - 1), l), place = 0;
-        G(different_nodes)(T, d, tau);
-        for (int i = 0; i < d; i++)
-            for (int j = 0; j < l[i]; j++)
-                f[place++] = G(at)(p, j, tau[i]);
-        f[N] = fault(T, f[N], from_int(0));
-        G(hermite_interpolant)(d, l, tau, f, c);
-        for (int k = 0; k <= N; k++)
-            same(T, c[k], p.c[k]);
-    }
-}
-
-/*
-:::{claim} one_more_datum_determines_one_more_coefficient
-:title: With one datum more a polynomial of one degree more has one coefficient more, and one only
-:zh: 每增一个型值恰确定一个新系数
-:given: the first $M$ data, and one more, $f$; a polynomial $p$ of degree less than $M$ with the first data, and the value $p'$ of the next datum for $p$; a polynomial
-  $\omega$ of degree $M$ for which the first data are 0 and the next one is $w\ne0$; any coefficient $e$
-:harmless: $w\ne0$ | it is $j!$ times a product of differences of different nodes
-:then: for $p+e\,\omega$ the next datum is $f+w\,(e-c)$ with $c=\frac{f-p'}w$: it is right for $e=c$, and for no other $e$
-:method: An identity, everything a variable; then induction over the data.  $\omega$ is the product of the factors $t-t_i$, each as often as data of the
-  node $t_i$ are among the first; with $j$ factors of the next node, by `a_factor_raises_the_order_of_a_zero`, the derivatives of $\omega$ there
-  are 0 below the order $j$, and that of order $j$ is $j!$ times the product of the other factors, which is not 0 when the nodes are different.
-  The products for $M=0,\dots,N$ have the degrees $0,\dots,N$, so that every polynomial of degree at most $N$ is a sum of their multiples.
-:scope: every N
-:over: f p e w: -
-:control: $c$ with the other sign
-:::
-*/
-CLAIM(one_more_datum_determines_one_more_coefficient)
-{
-    num f = unknown(T, "f", 0), p = unknown(T, "p", 0), e = unknown(T, "e", 0), w = positive(T, "w", 0);
-    num c = div(fault(T, sub(f, p), sub(p, f)), w);
-    about(T, "the next datum with the coefficient c");
-    same(T, add(p, mul(c, w)), f);
-    about(T, "the next datum with any coefficient");
-    same(T, add(p, mul(e, w)), add(f, mul(w, sub(e, c))));
-}
-
-#if RATIONAL
-/*
-:::{claim} equal_nodes_have_no_interpolant
-:title: At equal nodes the conditions contradict each other
-:zh: 节点相同则无解
-:kind: counterexample
-:data: t = 0 0
-:instead: t = 0 1
-:result: the determinant = 0
-:given: two nodes $t$ that are equal, one value at each; lines $c_0+c_1t$
-:then: the determinant of the conditions is 0: if the two values are equal, all lines through one point satisfy both, and if not, no line does
-:method: The determinant of the system with the rows $(1,t_i)$; that it is not 0 is refuted.
-:control: different nodes
-:::
-*/
-CLAIM(equal_nodes_have_no_interpolant)
-{
-    num t[2];
-    given_points(T, "t", 2, 1, t);
-    num determinant = sub(t[1], t[0]);
-    found(T, "the determinant", determinant);
-    refute(T, is_zero_q(determinant));
-}
-
-/*
-:::{claim} two_equal_nodes_of_four_have_no_cubic
-:title: With two equal nodes among four the conditions contradict each other
-:zh: 四节点中有两个相同则无解
-:kind: counterexample
-:data: t = 0 1 2 0
-:instead: t = 0 1 2 3
-:result: the determinant = 0
-:given: four nodes $t$, two of which are equal, one value at each; cubics $c_0+c_1t+c_2t^2+c_3t^3$
-:then: the determinant of the conditions is 0: if the two values are equal, infinitely many cubics satisfy all four, and if not, none does
-:method: The determinant of the system with the rows $(1,t_i,t_i^2,t_i^3)$; that it is not 0 is refuted.
-:control: four different nodes
-:::
-*/
-CLAIM(two_equal_nodes_of_four_have_no_cubic)
-{
-    num t[4], rows[16];
-    given_points(T, "t", 4, 1, t);
-    for (int j = 0; j < 16; j++)
-        rows[j] = j % 4 == 0 ? from_int(1) : mul(rows[j - 1], t[j / 4]);
-    num determinant = determinant_q(4, rows);
-    found(T, "the determinant", determinant);
-    refute(T, is_zero_q(determinant));
-}
-
-/*
-:::{claim} equal_ends_have_no_cubic
-:title: With equal ends the four conditions of the cubic contradict each other
-:zh: 端点相同时三次 Hermite 问题无解
-:kind: counterexample
-:data: t = 0 0
-:instead: t = 0 1
-:result: the determinant = 0
-:given: two ends $t_0$, $t_1$ that are equal, and cubics with a value and a derivative at each
-:then: the determinant of the four conditions is 0: if the values and the derivatives are equal, infinitely many cubics satisfy them, and if not, none
-  does
-:method: The determinant of the system whose rows are the powers of $t_i$ and their derivatives; that it is not 0 is refuted.
-:control: different ends
-:::
-*/
-CLAIM(equal_ends_have_no_cubic)
-{
-    num t[2], rows[16];
-    given_points(T, "t", 2, 1, t);
-    for (int i = 0; i < 2; i++) {
-        num power[4] = {from_int(1), t[i], mul(t[i], t[i]), mul(t[i], mul(t[i], t[i]))};
-        for (int k = 0; k < 4; k++) {
-            rows[8 * i + k] = power[k];
-            rows[8 * i + 4 + k] = k > 0 ? mul(from_int(k), power[k - 1]) : from_int(0);
-        }
-    }
-    num determinant = determinant_q(4, rows);
-    found(T, "the determinant", determinant);
-    refute(T, is_zero_q(determinant));
-}
-
-/*
-:::{claim} straight_data_have_no_cubic
-:title: The data of a line have no interpolant of degree 3
-:zh: 直线数据的插值多项式次数低于三
-:kind: counterexample
-:data: t = 0 1; f = 0 1; f' = 1 1; N = 3
-:instead: f' = 1 2
-:result: c = 0 1 0 0
-:given: $k=1$, $m_0=m_1=2$, so that $N$ is as given; the values $f$ and derivatives $f'$ of $f(t)=t$ at the two nodes
-:then: of the coefficients $c_0,\dots,c_N$ of the only polynomial of degree at most $N$ with these data the last is 0: its degree is 1
-:method: The kernel's coefficients; it gives the only polynomial of degree at most $N$.  That the last one is not 0 is refuted.
-:control: another derivative at $t_1$
-:::
-*/
-CLAIM(straight_data_have_no_cubic)
-{
-    int l[2] = {2, 2};
-    num t[2], f[2], slope[2], c[4];
-    given_points(T, "t", 2, 1, t);
-    given_points(T, "f", 2, 1, f);
-    given_points(T, "f'", 2, 1, slope);
-    hermite_interpolant_q(2, l, t, (num[]){f[0], slope[0], f[1], slope[1]}, c);
-    found_points(T, "c", 4, 1, c);
-    refute(T, is_zero_q(c[given_whole(T, "N")]));
-}
-#endif
-
-/*
 ## The cubic with two points and two tangents
 
 The case that matters is the cubic with two values and two slopes.  The slides solve the four equations by brute force and print the
-coefficients multiplied out.  Such sums of monomials are hard to read and easy to misprint; a single missing prime is found by the
+coefficients as sums of many terms.  Such sums are hard to read and easy to misprint; a single missing prime is found by the
 simplest data of all, those of a constant.
 
 :::{statement} slides-ch4:2-cubic-system
@@ -270,16 +57,16 @@ CLAIM(cubic_equations_are_the_conditions)
 
 /*
 :::{statement} slides-ch4:2-cubic-coefficients
-:title: Three of the four coefficients, multiplied out
-:zh: 系数 a3、a1、a0 的展开式
-:printed: $a_3=\frac{f'(t_0)t_1-f'(t_0)t_0+f'(t_1)t_1-f'(t_1)t_0+2f(t_0)-2f(t_1)}{(t_1-t_0)^3}$;
-  $a_1=\frac{f'(t_0)t_1^3+f'(t_0)t_0t_1^2-2f'(t_0)t_0^2t_1+2f'(t_1)t_0t_1^2-f'(t_1)t_0^2t_1-f'(t_1)t_0^3+6f(t_0)t_0t_1-6f(t_1)t_0t_1}{(t_1-t_0)^3}$;
-  $a_0=\frac{-f'(t_0)t_0t_1^3+f'(t_0)t_0^2t_1^2-f'(t_1)t_0^2t_1^2+f'(t_1)t_0^3t_1+f(t_0)t_1^3-3f(t_0)t_0t_1^2+3f(t_1)t_0^2t_1-f(t_1)t_0^3}{(t_1-t_0)^3}$
+:title: Three of the four coefficients of the cubic
+:zh: 系数 a3、a1、a0 的公式
+:printed: $a_3=\frac{-(f'(t_1)+f'(t_0))t_0+f'(t_0)t_1+f'(t_1)t_1+2f(t_0)-2f(t_1)}{(t_1-t_0)^3}$;
+  $a_1=\frac{(2f'(t_1)t_1^2+f'(t_0)t_1^2-6f(t_1)t_1+6f(t_0)t_1)t_0+f'(t_0)t_1^3}{(t_1-t_0)^3}-\frac{f'(t_1)t_0^3+(f'(t_1)t_1+2f'(t_0)t_1)t_0^2}{(t_1-t_0)^3}$;
+  $a_0=-\frac{(f'(t_0)t_1^3+3f(t_0)t_1^2)t_0-f(t_0)t_1^3}{(t_1-t_0)^3}+\frac{(f'(t_1)t_1-f(t_1))t_0^3+(f'(t_0)t_1^2-f'(t_1)t_1^2+3f(t_1)t_1)t_0^2}{(t_1-t_0)^3}$
 :holds-by: cubic_coefficients_by_monomials
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the formula divides by $t_1-t_0$, and at equal ends no other will do
 :figure: nodes_that_meet
 
-In the text at hand the three sums have no signs and no primes; those shown here satisfy the four conditions.
+In the text at hand the three formulas have no signs, primes and fraction bars; with those shown here they satisfy the four conditions.
 :::
 */
 
@@ -346,13 +133,50 @@ static struct G(poly) G(cubic_of_sums)(num t0, num t1, const num data[4], int si
     return p;
 }
 
+/* Compare: the determinant of the four conditions is (t1 - t0)^4, so that no other cubic has the data. */
+static void G(no_other_cubic)(trial *T, num t0, num t1)
+{
+    num M[16], gap = sub(t1, t0), square = mul(gap, gap), one = from_int(1);
+    for (int i = 0; i < 2; i++) {
+        num t = i == 0 ? t0 : t1, *row = M + 8 * i, tt = mul(t, t);
+        row[0] = one, row[1] = t, row[2] = tt, row[3] = mul(tt, t);
+        row[4] = from_int(0), row[5] = one, row[6] = add(t, t), row[7] = mul(from_int(3), tt);
+    }
+    about(T, "the determinant of the conditions");
+    same(T, G(determinant)(4, M), mul(square, square));
+}
+
+/* The cubic with the coefficients as they are printed, the missing prime of a_2 added. */
+static struct G(poly) G(cubic_with_brackets)(num t0, num t1, const num data[4])
+{
+    num f0 = data[0], f1 = data[1], d0 = data[2], d1 = data[3], two = from_int(2), three = from_int(3),
+        six = from_int(6);
+    num t00 = mul(t0, t0), t11 = mul(t1, t1), length = sub(t1, t0), cube = mul(length, mul(length, length));
+    num a3 = sub(mul(two, f0), mul(two, f1));
+    a3 = add(add(neg(mul(add(d1, d0), t0)), add(mul(d0, t1), mul(d1, t1))), a3);
+    num first = add(mul(d1, t11), mul(two, mul(d0, t11)));
+    first = add(first, sub(mul(three, mul(f0, t1)), mul(three, mul(f1, t1))));
+    num bracket = add(sub(mul(d0, t1), mul(d1, t1)), sub(mul(three, f1), mul(three, f0)));
+    num a2 = sub(add(mul(add(d0, mul(two, d1)), t00), mul(bracket, t0)), first);
+    bracket = add(mul(two, mul(d1, t11)), mul(d0, t11));
+    bracket = add(sub(bracket, mul(six, mul(f1, t1))), mul(six, mul(f0, t1)));
+    first = add(mul(bracket, t0), mul(d0, mul(t11, t1)));
+    num a1 = sub(first, add(mul(d1, mul(t00, t0)), mul(add(mul(d1, t1), mul(two, mul(d0, t1))), t00)));
+    bracket = add(mul(d0, mul(t11, t1)), mul(three, mul(f0, t11)));
+    first = sub(mul(bracket, t0), mul(f0, mul(t11, t1)));
+    bracket = add(sub(mul(d0, t11), mul(d1, t11)), mul(three, mul(f1, t1)));
+    num a0 = sub(add(mul(sub(mul(d1, t1), f1), mul(t00, t0)), mul(bracket, t00)), first);
+    return (struct G(poly)){3, {div(a0, cube), div(a1, cube), div(a2, cube), div(a3, cube)}};
+}
+
 /*
 :::{claim} cubic_coefficients_by_monomials
-:title: The coefficients of the interpolating cubic as sums of monomials
-:zh: 三次插值系数的单项式展开
+:title: The coefficients of the interpolating cubic, as printed and as sums of monomials
+:zh: 三次插值系数的公式及其单项式展开
 :given: $t_0\ne t_1$, values $f(t_0),f(t_1)$ and derivatives $f'(t_0),f'(t_1)$
-:then: the cubic with the four sums, divided by $(t_1-t_0)^3$, as coefficients satisfies the four conditions
-:method: Everything variable; the sums are entered as lists of monomials.
+:then: the cubic with the four printed coefficients, in $a_2$ the prime added, satisfies the four conditions; so does it with the sums of monomials that they become when the brackets
+  are multiplied out; and no other cubic does
+:method: Everything variable; the formulas are entered with their brackets, and once more as lists of monomials.  The conditions have the determinant $(t_1-t_0)^4\ne0$.
 :over: t# h#: different nodes; f#: data
 :control: the sign of the first monomial of $a_2$ reversed
 :::
@@ -362,24 +186,32 @@ CLAIM(cubic_coefficients_by_monomials)
     num t0, t1, data[4];
     G(interval)(T, &t0, &t1);
     G(four_data)(T, data);
-    G(osculates)(T, G(cubic_of_sums)(t0, t1, data, fault(T, 1, -1)), t0, t1, data);
+    struct G(poly) sums = G(cubic_of_sums)(t0, t1, data, fault(T, 1, -1)),
+                   printed = G(cubic_with_brackets)(t0, t1, data);
+    G(osculates)(T, sums, t0, t1, data);
+    G(osculates)(T, printed, t0, t1, data);
+    for (int k = 0; k <= 3; k++) {
+        about(T, "a coefficient as printed, and multiplied out");
+        same(T, printed.c[k], sums.c[k]);
+    }
+    G(no_other_cubic)(T, t0, t1);
 }
 
 /*
 :::{statement} slides-ch4:2-cubic-a2
-:title: The coefficient of the square, multiplied out
-:zh: 系数 a2 的展开式
-:printed: a_2=\frac{-2f(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
+:title: The coefficient of the square
+:zh: 系数 a2 的公式
+:printed: a_2=-\frac{f'(t_1)t_1^2+2f(t_0)t_1^2+3f(t_0)t_1-3f(t_1)t_1}{(t_1-t_0)^3}+\frac{(f'(t_0)+2f'(t_1))t_0^2+(f'(t_0)t_1-f'(t_1)t_1-3f(t_0)+3f(t_1))t_0}{(t_1-t_0)^3}
 :refuted-by: square_needs_the_prime
 :class: misprint
-:corrected: a_2=\frac{-2f'(t_0)t_1^2+f'(t_0)t_0t_1+f'(t_0)t_0^2-f'(t_1)t_1^2-f'(t_1)t_0t_1+2f'(t_1)t_0^2-3f(t_0)t_1-3f(t_0)t_0+3f(t_1)t_1+3f(t_1)t_0}{(t_1-t_0)^3}
+:corrected: a_2=-\frac{f'(t_1)t_1^2+2f'(t_0)t_1^2+3f(t_0)t_1-3f(t_1)t_1}{(t_1-t_0)^3}+\frac{(f'(t_0)+2f'(t_1))t_0^2+(f'(t_0)t_1-f'(t_1)t_1-3f(t_0)+3f(t_1))t_0}{(t_1-t_0)^3}
 :corrected-by: cubic_coefficients_by_monomials
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the formula divides by $t_1-t_0$, and at equal ends no other will do
 :figure: square_without_its_prime
 
-In the text at hand the sum has no signs and no primes, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
-$2f'(t_1)t_0^2$ of the same line, and in the first term they are together, as in $3f(t_0)t_1$.  Whatever signs the ten terms are given, the formula is false; with a prime and
-the signs shown here it is true.
+In the text at hand the formula has no signs, primes and fraction bars, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
+$2f'(t_1)$ of the second fraction, and in $2f(t_0)t_1^2$ they are together, as in $3f(t_0)t_1$.  Multiplied out the formula has ten terms.  Whatever signs these are given, and so
+whatever signs its terms, brackets and fractions have, it is false; with a prime and the signs shown here it is true.
 :::
 */
 
@@ -392,7 +224,7 @@ the signs shown here it is true.
 :data: t = 0 1; f = 1 1; f' = 0 0
 :result: P(t_1) with -2f(t_0) = -1; P(t_1) with +2f(t_0) = 3
 :given: the nodes $t$, and the values $f$ and derivatives $f'$ of a constant
-:then: whatever signs the ten terms of the printed $a_2$ have, the curve does not end in $f(t_1)$
+:then: whatever signs the ten terms of the printed $a_2$ have when it is multiplied out, the curve does not end in $f(t_1)$
 :method: The printed sums, that of $a_2$ with all $2^{10}$ choices of signs; the value at $t_1$.  It is shown for the signs of the correct formula and for those
   with another sign of the first term.
 :control: the term with its prime
@@ -436,9 +268,9 @@ slope right at its own.
 :::{statement} slides-ch4:2-cubic-by-data
 :title: The interpolating cubic, ordered by its data
 :zh: 按型值整理的三次插值多项式
-:printed: P(t)=f(t_0)\frac{(t-t_1)^2(-2t+3t_0-t_1)}{(t_0-t_1)^3}+f(t_1)\frac{(t-t_0)^2(-2t+3t_1-t_0)}{(t_1-t_0)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}
+:printed: $P(t)=f(t_0)\frac{(t-t_1)^2(-2t+3t_0-t_1)}{(t_0-t_1)^3}+f(t_1)\frac{(t-t_0)^2(-2t+3t_1-t_0)}{(t_1-t_0)^3}+f'(t_0)\frac{(t-t_1)^2(t-t_0)}{(t_1-t_0)^2}+f'(t_1)\frac{(t-t_0)^2(t-t_1)}{(t_1-t_0)^2}$, $t\in[t_0,t_1]$
 :holds-by: cubic_ordered_by_data
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two points
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the formula divides by $t_1-t_0$, and at equal ends no other will do
 :figure: nodes_that_meet
 
 In the text at hand the sum has no signs and no primes; with those shown here it satisfies the four conditions.
@@ -448,8 +280,8 @@ In the text at hand the sum has no signs and no primes; with those shown here it
 :title: The four fractions, multiplied by the data, satisfy the conditions
 :zh: 四个分式之和满足插值条件
 :given: $t_0\ne t_1$ and any data
-:then: the printed sum has the values and derivatives prescribed at $t_0$ and $t_1$
-:method: The sum as a polynomial in $t$; everything variable.
+:then: the printed sum has the values and derivatives prescribed at $t_0$ and $t_1$, and no other cubic has them
+:method: The sum as a polynomial in $t$; everything variable.  The four conditions have the determinant $(t_1-t_0)^4\ne0$.
 :over: t# h#: different nodes; f#: data
 :control: the cube $(t_0-t_1)^3$ under both values
 :::
@@ -472,6 +304,7 @@ CLAIM(cubic_ordered_by_data)
         sum = G(plus)(sum, G(times)(G(constant)(div(data[i], under[i])), product));
     }
     G(osculates)(T, sum, t0, t1, data);
+    G(no_other_cubic)(T, t0, t1);
 }
 
 /*
@@ -483,8 +316,8 @@ CLAIM(cubic_ordered_by_data)
   $g_{01}=\bigl(1-2\frac{t-t_1}{t_1-t_0}\bigr)\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$,
   $h_{00}=\frac{t-t_0}{t_1-t_0}\bigl(\frac{t-t_1}{t_0-t_1}\bigr)^2$, $h_{01}=\frac{t-t_1}{t_1-t_0}\bigl(\frac{t-t_0}{t_1-t_0}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: two ends of an
-  interval
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the functions divide by $t_1-t_0$, and
+  at equal ends no others will do
 :figure: hermite_blending_functions
 
 In the text at hand the formulas have no signs and no primes; with those shown here the sum has the four data.
@@ -495,8 +328,9 @@ In the text at hand the formulas have no signs and no primes; with those shown h
 :zh: 混合函数给出三次插值曲线及其各阶导数
 :given: two nodes $t_0\ne t_1$ in any order, any data, any $t$, orders 0 to 4
 :then: the kernel `hermite_blending` gives the derivatives of $g_{00}$, $g_{01}$, $h_{00}(t)(t_1-t_0)$, $h_{01}(t)(t_1-t_0)$, `hermite_cubic` those of
-  the printed sum, and that sum has the data
-:method: The printed functions are multiplied out as polynomials in $t$, and differentiated power by power; everything variable.
+  the printed sum, and that sum has the data, which no other cubic has
+:method: The printed functions are multiplied out as polynomials in $t$, and differentiated power by power; everything variable.  The four conditions have the determinant
+  $(t_1-t_0)^4\ne0$.
 :defines: hermite_blending hermite_cubic
 :over: t# h#: different nodes; f#: data; p: t
 :control: the two derivatives exchanged
@@ -522,6 +356,7 @@ CLAIM(hermite_kernel_blends_four_data)
     for (int k = 0; k <= 4; k++)
         same(T, out[k], G(at)(sum, k, t));
     G(osculates)(T, sum, t0, t1, data);
+    G(no_other_cubic)(T, t0, t1);
 }
 
 /*
@@ -533,7 +368,7 @@ What characterizes the four functions is a table of sixteen numbers.  Each has o
 :printed: $g_{00}(t_0)=1$, $g_{00}(t_1)=0$, $g_{01}(t_0)=0$, $g_{01}(t_1)=1$, $h_{00}(t_0)=h_{00}(t_1)=h_{01}(t_0)=h_{01}(t_1)=0$;
   $g_{00}'(t_0)=g_{00}'(t_1)=g_{01}'(t_0)=g_{01}'(t_1)=0$, $h_{00}'(t_0)=\frac1{t_1-t_0}$, $h_{00}'(t_1)=0$, $h_{01}'(t_0)=0$, $h_{01}'(t_1)=\frac1{t_1-t_0}$
 :holds-by: blending_functions_are_dual_to_the_data
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: the functions divide by $t_1-t_0$, and at equal ends no cubics have this table
 :figure: hermite_blending_functions
 
 In the text at hand the table has no primes; with those shown here it is true.
@@ -551,12 +386,12 @@ In the text at hand the table has no primes; with those shown here it is true.
 :::
 
 :::{claim} blending_functions_are_dual_to_the_data
-:title: Each blending function has one datum that is not 0, and three that are
+:title: Each blending function has one datum different from 0, and its three others are 0
 :zh: 四函数与四型值对偶
 :given: $t_0<t_1$
 :harmless: $t_0<t_1$ | the identities are those of two different nodes, in any order
-:then: the sixteen values and derivatives of the printed functions at $t_0$ and $t_1$ are the matrix with the diagonal
-  $1,1,\frac1{t_1-t_0},\frac1{t_1-t_0}$ and 0 elsewhere
+:then: of the sixteen values and derivatives of the printed functions at $t_0$ and $t_1$ it is so that $g_{00}(t_0)=g_{01}(t_1)=1$,
+  $h_{00}'(t_0)=h_{01}'(t_1)=\frac1{t_1-t_0}$, and the twelve others are 0
 :method: The printed functions multiplied out and differentiated; $t_0$ and $t_1$ variables.
 :over: t# h#: different nodes
 :control: $h_{00}$ taken for $h_{01}$
@@ -577,8 +412,8 @@ CLAIM(blending_functions_are_dual_to_the_data)
 :::{claim} unit_functions_are_dual_to_the_data
 :title: Over the unit interval the table of values and derivatives is the unit matrix
 :zh: 单位区间上四函数与四型值对偶
-:given: the functions $q$ as the columns of the printed matrix, coefficients of $u^3,u^2,u,1$, and once more as the printed functions over an interval,
-  $t_0=0$, $t_1=1$
+:given: the functions $q_{00},q_{01},q_{10},q_{11}$ by their coefficients of $u^3,u^2,u,1$, which are the columns of the matrix printed in section 2, and once more as
+  $g_{00},g_{01},h_{00},h_{01}$ over the interval $t_0=0$, $t_1=1$
 :then: each is a polynomial of degree 3 with one of the four data $q(0),q(1),q'(0),q'(1)$ equal to 1 and the others equal to 0
 :method: The polynomials and their derivatives at the two integers; the coefficient of $u^3$ is $2q(0)-2q(1)+q'(0)+q'(1)$, so it is
   $2,-2,1,1$, and not 0.
@@ -682,11 +517,11 @@ follows, and the slides do not always keep the two apart.
 :::{statement} slides-ch4:2-substitution
 :title: The blending functions over the unit interval
 :zh: 变换到单位区间
-:printed: $u=\frac{t-t_0}{t_1-t_0}$, $t=t_0+(t_1-t_0)u$: $g_{00}(t)=(1+2u)(u-1)^2=2u^3-3u^2+1=q_{00}(u)$,
+:printed: So that $t_0\le t\le t_1$ becomes $0\le u\le1$: $u=\frac{t-t_0}{t_1-t_0}$, $t=t_0+(t_1-t_0)u$; $g_{00}(t)=(1+2u)(u-1)^2=2u^3-3u^2+1=q_{00}(u)$,
   $g_{01}(t)=(3-2u)u^2=-2u^3+3u^2=q_{01}(u)$, $h_{00}(t)=u(u-1)^2=u^3-2u^2+u=q_{10}(u)$, $h_{01}(t)=(u-1)u^2=u^3-u^2=q_{11}(u)$; so
   $P_0(t_0+(t_1-t_0)u)=f(t_0)q_{00}(u)+f(t_1)q_{01}(u)+f'(t_0)(t_1-t_0)q_{10}(u)+f'(t_1)(t_1-t_0)q_{11}(u)$
 :holds-by: unit_blending_functions
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: $u$ and the functions divide by $t_1-t_0$, and at equal ends no others will do
 :figure: hermite_blending_functions
 
 In the text at hand the formulas have no signs and no primes; those shown here are true.
@@ -698,12 +533,12 @@ In the text at hand the formulas have no signs and no primes; those shown here a
 :printed: $\varphi(0)=f(t_0)$, $\varphi(1)=f(t_1)$, $\varphi'(0)=f'(t_0)(t_1-t_0)$, $\varphi'(1)=f'(t_1)(t_1-t_0)$, and
   $P(u)=\varphi(0)q_{00}(u)+\varphi(1)q_{01}(u)+\varphi'(0)q_{10}(u)+\varphi'(1)q_{11}(u)$
 :holds-by: unit_blending_functions
-:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$
-:meant: the arguments 0 and 1 where the $f$ of the data has $t_0$ and $t_1$ | $\varphi$ is the polynomial as a function of $u$.
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: $u=\frac{t-t_0}{t_1-t_0}$ divides by $t_1-t_0$, and at equal ends none or infinitely many cubics have the data
+:meant: the arguments 0 and 1 in the place of $t_0$ and $t_1$ | $\varphi$ is the polynomial as a function of $u$.
 :figure: hermite_blending_functions
 
 In the text at hand the formulas have no signs and no primes; those
-shown here are true.
+shown here are true.  For $\varphi$ it has the letter $f$, with a mark that is lost.
 :::
 
 :::{claim} unit_blending_functions
@@ -711,7 +546,7 @@ shown here are true.
 :zh: 单位区间上的混合函数
 :given: $t_0<t_1$, any data, any $u$, $t=t_0+(t_1-t_0)u$
 :harmless: $t_0<t_1$ | the identities are those of two different nodes, in any order
-:then: the printed functions of $t$ are those of $u$ in all three forms, in factors, in powers and as the columns of the $4\times4$ matrix, and the sum with the derivatives times $t_1-t_0$ is the
+:then: $u=\frac{t-t_0}{t_1-t_0}$, which runs from 0 to 1 while $t$ runs from $t_0$ to $t_1$; the printed functions of $t$ are those of $u$ in all three forms, in factors, in powers and as the columns of the $4\times4$ matrix, and the sum with the derivatives times $t_1-t_0$ is the
   interpolating cubic; as a function of $u$ it has at $u=0$ and $u=1$ the values $f(t_0)$, $f(t_1)$ and the derivatives $f'(t_0)(t_1-t_0)$, $f'(t_1)(t_1-t_0)$
 :method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
 :over: t# h#: different nodes; f#: data
@@ -729,6 +564,8 @@ CLAIM(unit_blending_functions)
     num factored[4] = {mul(mul(v, v), add(mul(two, u), one)), mul(uu, sub(from_int(3), mul(two, u))), mul(u, mul(v, v)),
                        mul(uu, v)};
     num cubic = from_int(0), scaled[4];
+    about(T, "u from t");
+    same(T, div(sub(t, t0), length), u);
     struct G(poly) of_u = G(constant)(from_int(0)); /* the sum as a polynomial in u, by the columns of the matrix */
     for (int i = 0; i < 4; i++) {
         struct G(poly) g = G(printed_blending)(t0, t1, i), in_u = {.n = 3};
@@ -760,7 +597,7 @@ CLAIM(unit_blending_functions)
 :confirmed-by: one_choice_of_signs_in_the_matrix
 :figure: hermite_blending_functions
 
-In the text at hand the matrix has no signs; of all choices of them the one shown is the only true one: `one_choice_of_signs_in_the_matrix`.
+In the text at hand the column has the letter $f$, with a mark that is lost, for $\varphi$, and the matrix has no signs; of all choices of them the one shown is the only true one: `one_choice_of_signs_in_the_matrix`.
 :::
 */
 

@@ -81,8 +81,8 @@ CLAIM(turned_graph_is_no_graph)
 :zh: 一个自变量对应多个值
 :printed: If functions without a parameter are used: in some coordinates a curve has several $y$ for some $x$ and several $x$ for some $y$.
 :holds-by: circle_has_two_values_each_way
-:meant: the formulas $y=f(x)$ and $f(x,y)=0$ beside it | The curve has them, and $f(x,y)=0$ may be its equation; a graph $y=f(x)$ has one $y$ at most for every $x$,
-  so that it is not the whole curve.
+:meant: the formulas $y=f(x)$ and $f(x,y)=0$ beside it | The several values are those of a curve, of which $f(x,y)=0$ may be the equation; a graph $y=f(x)$ has one $y$ at
+  most for every $x$, so that it is not the whole of such a curve.
 :example: it may happen, and one curve shows it.
 :figure: graphs_and_axes
 :::
@@ -132,9 +132,11 @@ tangent is a vector, and nothing happens: its length is never 0.
 :result: R'(0) = (0,2)
 :given: the quarter circle with the points $R$ and the weights $\omega$; any $t$
 :scope: the stated quarter circle
-:then: $x^2+y^2=1$ for $R=(x,y)$, $R\cdot R'=0$ and $|R'|=\frac2{1+t^2}$, which is nowhere 0; at $t=0$ the derivative is upright, and there is no slope
-:method: Points and derivatives by the rational kernel; the length by its square.  By $xx'+yy'=0$ the slope $\frac{y'}{x'}$ is $-\frac xy$ where $y\ne0$, and passes every bound
-  as $t\to0$, where the point becomes $(1,0)$.
+:then: $x^2+y^2=1$ for $R=(x,y)$, $R\cdot R'=0$ and $|R'|=\frac2{1+t^2}$, which is nowhere 0; at $t=0$ the derivative is upright, and there is no slope; for $t\ne0$ the slope
+  $\frac{y'}{x'}$ is $-s$ with $2s=\frac1t-t$, and for every bound $C>0$ it is $2s\ge C$ where $0<t\le\frac1{1+C}$
+:method: Points and derivatives by the rational kernel; the length by its square.  The slope at a variable $t$; the bound for $t=\frac1{1+C+e}$, $e\ge0$, where
+  $\frac1t-t-C=1-t+e$: signs of coefficients for $e>0$, and once more for $e=0$.
+:over: C e: -
 :control: equal weights
 :::
 */
@@ -151,6 +153,14 @@ CLAIM(circle_has_an_upright_tangent)
     vanishes(T, add(mul(D[0], D[2]), mul(D[1], D[3])));
     about(T, "the square of the length of R'");
     same(T, add(mul(D[2], D[2]), mul(D[3], D[3])), mul(speed, speed));
+    about(T, "twice the slope");
+    same(T, mul(mul(from_int(2), t), D[3]), mul(sub(mul(t, t), one), D[2])); /* 2t y' = -(1 - t^2) x' */
+    num C = positive(T, "C", 0), e = positive(T, "e", 0);
+    about(T, "twice the steepness less the bound");
+    for (int k = 0; k < 2; k++) {
+        num above = add(one, k == 0 ? C : add(C, e)); /* 1/t */
+        nonnegative(T, sub(sub(above, div(one, above)), C));
+    }
     G(rational_derivatives)(2, plane, R, w, from_int(0), 1, D);
     found_points(T, "R'(0)", 1, plane, D + plane);
     about(T, "R'(0)");
@@ -170,7 +180,7 @@ an equation without a parameter.
   none
 :confirmed-by: nodal_cubic_has_an_equation
 :reading: parametric_cubic_crosses_itself | of surfaces, hard is what an equation $z=f(x,y)$ cannot do at all: there is a surface that has none | The cylinder of the points
-  $(x,s,y)$ with $(x,y)$ on that cubic has two points over one place $(x,s)$.
+  $(x,s,z)$ with $(x,z)$ on the cubic of reading 1 and any $s$ has two points with one $x$, one $s$ and two different $z$.
 :reading: what else is hard, and which curves and surfaces are complicated: an opinion, which no computation decides
 :figure: graphs_and_axes
 
@@ -295,13 +305,14 @@ CLAIM(tangent_needs_no_slope)
 :zh: 尖点处导矢不给出切线
 :kind: counterexample
 :data: R = (0,0) (0,0) (0,1/3) (1,1); t = 0; Q = (1,0)
-:instead: R = (0,0) (0,1/3) (0,2/3) (1,1)
+:instead: R = (0,0) (0,1/3) (0,1) (1,1)
 :given: the cubic with the Bézier points $R$, which has a cusp at $t$, where the tangent is along the second derivative and upright, and a point $Q$ that is not on this
   tangent
-:then: the equation of the tangent, $(X-x)\,y'-(Y-y)\,x'=0$, is not satisfied at $Q$
+:then: the equation $(X-x)\,y'-(Y-y)\,x'=0$ is satisfied at $Q$ all the same, both its coefficients being 0: it is not that of the tangent
 :result: derivative = (0,0); second derivative = (0,2); left side at Q = 0
-:method: The kernel's point and derivatives; the first put into the equation, the second compared with the way from the point to $Q$.
-:control: a cubic with the same tangent and a derivative that is not 0
+:method: The kernel's point and derivatives; the first derivative put into the equation, the second compared with the way from the point to $Q$; that the equation
+  is not satisfied at $Q$ is refuted.
+:control: a cubic with the same point, the same second derivative and a first derivative along it
 :::
 */
 CLAIM(cusp_has_no_equation_of_the_tangent)
@@ -335,7 +346,7 @@ The rest of the list says what is gained.  Most items are properties of Bézier 
 :zh: 直线段的参数表示
 :printed: $P(t)=P_1+(P_2-P_1)t=(1-t)P_1+tP_2$, $0\le t\le1$; $x(t)=x_1+(x_2-x_1)t$, $y(t)=y_1+(y_2-y_1)t$
 :holds-by: segment_in_its_parameter
-:needs: curve_leaves_hull_outside_the_interval | the formula has $0\le t\le1$ beside it | $0\le t\le1$: beyond, it is
+:needs: curve_leaves_hull_outside_the_interval | the range beside the formula | $0\le t\le1$: beyond, it is
   a point of the line and not of the segment
 :::
 
@@ -353,7 +364,7 @@ The rest of the list says what is gained.  Most items are properties of Bézier 
 :then: $P_1+(P_2-P_1)t=(1-t)P_1+tP_2$ is the curve of `bezier_casteljau`, its derivative by `bezier_derivatives` is $P_2-P_1$, and its
   distances from the ends are $|t|$ and $|1-t|$ times the length: $|P(t)-P_1|^2=t^2|P_2-P_1|^2$ and $|P_2-P(t)|^2=(1-t)^2|P_2-P_1|^2$
 :method: Each form, everything a variable.  For $0\le t\le1$ the two distances add up to the length, so that the point is between $P_1$ and $P_2$; and each of these points has
-  its $t$, the share of its distance from $P_1$.
+  its $t$, the share of its distance from $P_1$ in the length; where $P_1=P_2$ all are one point.
 :over: x# y#: points
 :control: the two points exchanged in the first form
 :::
@@ -443,13 +454,15 @@ CLAIM(maps_of_the_equations_are_one_matrix)
 :title: More freedom for the shape
 :zh: 参数形式自由度更大
 :printed: With a parameter there is more freedom to control the shape of curves and surfaces, a strong power to describe and a rich power to express.
-:reading: parametric_cubic_crosses_itself | of curves: there are shapes that no graph $y=f(x)$ has
-:reading: parametric_cubic_crosses_itself | of surfaces: there are shapes that no graph $z=f(x,y)$ has | The cylinder of the points $(x,s,y)$ with $(x,y)$ on that
-  cubic has two points over one place $(x,s)$.
-:reading: how much freedom, which power is strong or rich: the slides do not say, so that nothing is there to be decided
+:reading: parametric_cubic_crosses_itself | curves have shapes that no graph $y=f(x)$ has
+:reading: parametric_cubic_crosses_itself | surfaces have shapes that no graph $z=f(x,y)$ has | The cylinder of the points $(x,s,z)$ with $(x,z)$ on
+  the cubic of reading 1 and any $s$ has two points with one $x$, one $s$ and two different $z$.
+:reading: how much freedom, and whether more than with equations $f(x,y)=0$; which power is strong or rich: the slides do not say, so that nothing is there to be decided
+:confirmed-by: nodal_cubic_has_an_equation
 :figure: graphs_and_axes
 
-Every graph is among the parametric curves, with $x=t$, and among the surfaces, with $x=u$ and $y=w$: so there are more shapes than those of graphs.
+Every graph is among the parametric curves, with $x=t$, and among the surfaces, with $x=u$ and $y=w$: so there are more shapes than those of graphs.  An equation $f(x,y)=0$
+this cubic has, too: `nodal_cubic_has_an_equation`.
 :::
 
 :::{statement} slides-ch4:1-dimensions
@@ -457,10 +470,10 @@ Every graph is among the parametric curves, with $x=t$, and among the surfaces, 
 :zh: 变量个数不限,便于扩展到高维
 :printed: In parametric equations the algebraic and the geometric, the dependent and the independent variables are completely separated, and
   their number is not limited, so that it is easy to take curves and surfaces from a space of few dimensions to one of more.
-:reading: matrices_pass_to_the_points | from a plane to space: whatever third coordinates the points get, the curve of the plane, or the surface if the functions have two parameters, stays what the first two are, as the
+:reading: matrices_pass_to_the_points | curves and surfaces can be taken from a plane to space: whatever third coordinates the points get, the curve of the plane, or the surface if the functions have two parameters, stays what the first two are, as the
   matrix that leaves the third one out shows
-:reading: another_coordinate_changes_no_other | of a curve, from any number of coordinates to one more: it keeps those that it has | Each coordinate of the curve is a sum of its own, of the same
-  functions times this coordinate of the points.  So it is for every degree, and for surfaces with functions of two parameters: that is no more than this sentence.
+:reading: another_coordinate_changes_no_other | a curve can be taken from any number of coordinates to one more: it keeps those that it has | Each coordinate of the curve is a sum of its own, of the same
+  functions times this coordinate of the points.  So it is for every degree and any number of coordinates, and for surfaces with functions of two parameters; of these nothing was computed.
 :reading: what is easy, when variables are completely separated, and which variables besides the coordinates have a number without limit: the slides do not say, so that nothing is there to be decided
 :::
 
@@ -500,8 +513,8 @@ CLAIM(another_coordinate_changes_no_other)
 :title: Vectors and matrices
 :zh: 易于用矢量和矩阵表示
 :printed: It is easy to represent the geometry by vectors and matrices, and the computation is simple.
-:reading: small_degrees_written_out | Bézier curves of the degrees 1, 2 and 3 as products with matrices
-:reading: unit_blending_functions | the cubic of two points and two tangents as such a product, the functions being the columns of a $4\times4$ matrix
+:reading: small_degrees_written_out | Bézier curves of the degrees 1, 2 and 3 are products with matrices
+:reading: unit_blending_functions | the cubic of two points and two tangents is a product with a $4\times4$ matrix, whose columns are the functions
 :reading: what is easy and what simple: an opinion, which no computation decides
 :::
 
@@ -530,8 +543,8 @@ A bound of a polynomial is the sum of the absolute values of its coefficients.  
 :data: d = 1 -2; t = 1/2
 :instead: d = 1 1
 :result: d_0 + d_1 t = 0
-:given: the coordinate $x(s)=\frac1{d_0+d_1s}$ for $0\le s\le1$, and a parameter $t$ of $(0,1)$
-:then: the denominator is $d_1(s-t)$, so that $|x(s)|=\frac1{|d_1||s-t|}$ is more than any bound near $t$, and $x$ has no value at $t$
+:given: the coordinate $x(s)=\frac1{d_0+d_1s}$ for $0\le s\le1$, $s\ne t$, with any value at the given parameter $t$ of $(0,1)$
+:then: the denominator is $d_1(s-t)$, so that $|x(s)|=\frac1{|d_1||s-t|}$ is more than any bound near $t$
 :method: The denominator at $t$, and $d_1$, exactly; that the first is not 0, or the second is, is refuted.
 :control: another denominator
 :::
@@ -636,10 +649,10 @@ CLAIM(triangle_of_parameters_is_no_rectangle)
 :printed: With $t\in[0,1]$ curves and surfaces are conveniently described piece by piece, and smooth joints are easy to make.
 :reading: triangle_of_powers_consists_of_powers | a curve of any degree is cut into curves of the same degree over $[0,1]$
 :reading-with: bernstein_sum_of_powers_is_a_power
-:reading: surface_part_is_the_piece | a surface is cut so as well
-:reading: derivatives_go_down_through_the_differences | of a curve the derivatives of any order at the ends are differences of the points next to them, so that points can be chosen for a smooth joint
+:reading: surface_part_is_the_piece | a surface is cut into surfaces of the same degrees over $0\le u,w\le1$
+:reading: derivatives_go_down_through_the_differences | of a curve the derivatives of any order at the ends are multiples of differences of the points next to them, so that points can be chosen for a smooth joint
 :reading-with: bernstein_derivative
-:reading: derivatives_go_down_through_the_differences | of a surface those across an edge are so, too | For a fixed $w$ the surface is a curve of the parameter $u$, whose points are those of the rows
+:reading: derivatives_go_down_through_the_differences | of a surface the derivatives across an edge are multiples of differences of the rows of points next to it | For a fixed $w$ the surface is a curve of the parameter $u$, whose points are those of the rows
   of the net at $w$; their differences are the curves of the differences of the rows, so that rows can be chosen for a joint that is smooth for every $w$.
 :reading-with: bernstein_derivative
 :reading: what is convenient and what easy: an opinion, which no computation decides

@@ -28,8 +28,8 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
   $h_{i0}=\frac{t-t_i}{t_{i+1}-t_i}\bigl(\frac{t-t_{i+1}}{t_i-t_{i+1}}\bigr)^2$, $h_{i1}=\frac{t-t_{i+1}}{t_{i+1}-t_i}\bigl(\frac{t-t_i}{t_{i+1}-t_i}\bigr)^2$
 :holds-by: hermite_kernel_blends_four_data
 :confirmed-by: base_functions_interpolate_once_continuously
-:needs: equal_ends_have_no_cubic | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
-  interval $[t_i,t_{i+1}]$
+:needs: equal_ends_have_no_cubic | the words: on the interval $[t_i,t_{i+1}]$ (在区间 $[t_i,t_{i+1}]$) | $t_i\ne t_{i+1}$: the
+  functions divide by $t_{i+1}-t_i$
 :figure: nodes_that_meet
 
 In the text at hand the formulas have no signs and no primes; with those shown here each piece has its four data.
@@ -44,7 +44,7 @@ In the text at hand the formulas have no signs and no primes; with those shown h
 :checked-by: base_functions_interpolate_once_continuously
 :argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
-:needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ |
+:needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :figure: piecewise_base_functions
 :::
@@ -111,11 +111,11 @@ must not only differ but increase.
 :title: The whole curve
 :zh: 完整的插值多项式
 :printed: $P(t)=\sum_{i=0}^n[f(t_i)a_{i,0}(t)+f'(t_i)a_{i,1}(t)]$ on $[t_0,t_n]$ has just four terms on each $[t_i,t_{i+1}]$ and
-  satisfies $P(t_i)=f(t_i)$, $P'(t_i)=f'(t_i)$
+  satisfies $P(t_i)=f(t_i)$, $P'(t_i)=f'(t_i)$, $i=0,1,\dots,n$
 :holds-by: base_functions_interpolate_once_continuously
 :argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
-  the other intervals.
-:needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ |
+  the other intervals; and none of the four is, since by `base_functions_interpolate_once_continuously` each has at one end of it the value or the derivative 1.
+:needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :figure: nodes_that_meet
 
@@ -155,10 +155,12 @@ CLAIM(overlapping_intervals_miss_the_data)
 :::{statement} slides-ch4:2-piece-of-curve
 :title: The curve on one interval, in points and tangents
 :zh: 单段的四项表示
-:printed: P_i(t)=P_ia_{i,0}(t)+P_{i+1}a_{i+1,0}(t)+P_i'a_{i,1}(t)+P_{i+1}'a_{i+1,1}(t)=P_ig_{i,0}(t)+P_{i+1}g_{i,1}(t)+[P_i'h_{i,0}(t)+P_{i+1}'h_{i,1}(t)](t_{i+1}-t_i)
+:printed: The piece $P_i(t)$ is defined on $[t_i,t_{i+1}]$ only: $P_i(t)=P_ia_{i,0}(t)+P_{i+1}a_{i+1,0}(t)+P_i'a_{i,1}(t)+P_{i+1}'a_{i+1,1}(t)=P_ig_{i,0}(t)+P_{i+1}g_{i,1}(t)+[P_i'h_{i,0}(t)+P_{i+1}'h_{i,1}(t)](t_{i+1}-t_i)$
 :holds-by: base_functions_interpolate_once_continuously
 :argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
+:needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
+  $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :meant: the factor $t_{i+1}-t_i$ in the same line, and the sum before it, to which it is equal | $P_i'=f'(t_i)$, and the factor belongs to both derivatives.
 :reading: base_functions_interpolate_once_continuously | $P_i'=f'(t_i)$, and the factor belongs to both derivatives
 :reading: factor_beside_the_second_derivative_loses_the_first | $P_i'=f'(t_i)$, and the factor belongs to the second derivative alone, the sum having no bracket
@@ -229,9 +231,9 @@ agree there is one linear condition at each inner node; the curves that satisfy 
 :holds-by: base_functions_interpolate_once_continuously
 :argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
   the other intervals.
-:needs: overlapping_intervals_miss_the_data | the pieces lie on the intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$ |
+:needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
-:meant: the data are values and first derivatives | With a continuous first derivative, $C^1$.
+:meant: the data, which are values and first derivatives | With a continuous first derivative, $C^1$.
 :reading: base_functions_interpolate_once_continuously | $C^1$, for all data
 :reading: pieces_turn_where_a_derivative_vanishes | a continuous tangent, for all points and tangent vectors of curves: where a vector is 0 the tangent may turn
 :reading: pieces_need_not_have_one_curvature | $C^2$, for all data
@@ -360,8 +362,8 @@ have two different vectors at their common node.  The slides call both $P_i'$.
   $P_i(u)=P_i(2u^3-3u^2+1)+P_{i+1}(-2u^3+3u^2)+P_i'(u^3-2u^2+u)+P_{i+1}'(u^3-u^2)$, and the same by the matrix
 :holds-by: unit_blending_functions
 :confirmed-by: one_choice_of_signs_in_the_matrix
-:needs: equal_ends_have_no_cubic | the pieces belong to intervals $[t_i,t_{i+1}]$ of ordered nodes | $t_i\ne t_{i+1}$: an
-  interval
+:needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: $u$
+  is a quotient by $t_{i+1}-t_i$
 :meant: the line below the formula, which begins with "where" (其中) | $P_i'$ and $P_{i+1}'$ are the derivatives times $t_{i+1}-t_i$.
 :reading: unit_blending_functions | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as in the line below
 :reading: tangent_over_the_unit_interval_is_scaled | $P_i'=f'(t_i)$, as for the piece over its own interval
@@ -375,6 +377,8 @@ In the text at hand the formula has no signs and no primes; with those shown her
 :zh: 单段端点切向量的缩放
 :printed: where $P_i=P(t_i)=f(t_i)$, $P_{i+1}=P(t_{i+1})=f(t_{i+1})$, $P_i'=f'(t_i)(t_{i+1}-t_i)$, $P_{i+1}'=f'(t_{i+1})(t_{i+1}-t_i)$
 :holds-by: unit_blending_functions
+:needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: $u$
+  is a quotient by $t_{i+1}-t_i$
 :meant: the word "where" (其中) below the formula of the piece $P_i(u)$ | The vectors $P_i'$ and $P_{i+1}'$ are those of the one piece over $[t_i,t_{i+1}]$.
 :reading: unit_blending_functions | the vectors of one piece
 :reading: one_scaled_tangent_for_two_pieces_makes_a_jump | one vector $P_i'$ for both pieces that meet at $t_i$

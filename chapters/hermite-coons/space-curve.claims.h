@@ -26,8 +26,8 @@ enum { space = 3 };
   them are needed, and define the curve.
 :reading: both_equations_hold_at_one_point | by two explicit equations $y=f(x)$, $z=g(x)$, each of them a cylinder
 :reading: surfaces_that_are_no_cylinders_meet_in_a_curve | in no other way: surfaces that have just the curve in common are cylinders
-:reading: no_two_projections_give_the_circle | by the cylinders over some two of its projections, for every curve
-:reading: two_cylinders_hold_more_than_the_curve | by the cylinders over any two of its projections, for every curve for which some two will do
+:reading: no_two_projections_give_the_circle | by the cylinders over some two of its projections along the axes, for every curve
+:reading: two_cylinders_hold_more_than_the_curve | by the cylinders over any two of its projections along the axes, for every curve for which some two of them will do
 :confirmed-by: graphs_over_one_axis_meet_in_one_curve graphs_over_two_axes_meet_in_a_closed_curve two_cylinders_are_two_ellipses
   two_cylinders_of_the_circle_hold_an_ellipse
 :figure: two_cylinders
