@@ -634,7 +634,7 @@ CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$, for the printed ones only for $\beta=0$
 :corrected-by: reversed_polygon_reverses_the_curve printed_outer_functions_are_mirror_images
-:reading: printed_sum_in_closed_form | "for the printed ones only for $\beta=0\,$" in the correction, with the curves compared as sets of points, $-7\le\beta\le1$: for $\beta\ne0$ the printed curve of
+:reading: printed_sum_in_closed_form | "only for $\beta=0$" in the correction, with the curves compared as sets of points, $-7\le\beta\le1$: for $\beta\ne0$ the printed curve of
   $P_0=\dots=P_6=(0,1)$, $P_7=(1,1)$ is $(\hat B_7(t),\,1-4\beta s^3t^4)$, that of the reversed polygon at $s=1-t$ is
   $(\hat B_7(t),\,1-4\beta s^4t^3)$, and $\hat B_7$ rises: two sets
 :reading-with: printed_outer_functions_are_mirror_images derivative_of_a_function_factors first_function_falls_and_last_rises
