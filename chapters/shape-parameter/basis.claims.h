@@ -45,7 +45,7 @@ $i=4$, and there both ask for $c_3=-5$ and $c_4=5$, where $-9$ and $1$ are print
 :zh: 核函数即式 (1)
 :given: any $\beta$ and $t$
 :then: `shape_basis_printed` gives the eight functions, and `shape_factors_printed` the values $\nu_i$, $\varphi_i$ of their
-  linear factors
+  linear factors at $t=0$ and $t=1$
 :method: The eight formulas written out one by one, $\beta$ and $t$ variables.
 :degrees: 7..7
 :defines: shape_basis_printed shape_factors_printed
@@ -105,8 +105,8 @@ CLAIM(corrected_kernel_is_its_formula)
   second_function_decreases
 :class: false
 :corrected: with $B_3=(35+5\beta-5\beta t)(1-t)^4t^3$ and $B_4=(35+5\beta t)(1-t)^3t^4$, two digits, the other six as printed,
-  the properties 2.2, 2.3 and 2.4 hold for every $\beta$, and 2.7, which is about $\beta=0$, 2.4 and 2.7 with the indices corrected; 2.1 and 2.5 for
-  $-\frac{21}4\le\beta\le1$; 2.6 does not hold.  With the other six as printed these two functions are the only ones that
+  the properties 2.2, 2.3 and 2.4 hold for every $\beta$, and so does 2.7, which is about $\beta=0$ alone (2.4 and 2.7 with their indices corrected);
+  2.1 and 2.5 hold for $-\frac{21}4\le\beta\le1$; 2.6 does not hold.  With the other six as printed these two functions are the only ones that
   are mirror images with linear factors and make the sum 1
 :corrected-by: two_digits_are_corrected mirror_images_with_sum_one_are_unique corrected_functions_sum_to_one
   corrected_functions_are_mirror_images functions_vanish_to_their_orders_at_the_ends beta_zero_gives_bernstein_polynomials
@@ -206,8 +206,8 @@ $\beta$.
 :title: The coefficient of the eighth power is beta times a whole number that is not 0
 :zh: t^8 的系数
 :data: c, printed functions = -1 -5 -9 -9 1 9 5 1; c, corrected functions = -1 -5 -9 -5 5 9 5 1
-:given: any $\beta$, and the numbers $c$, none of which is 0
-:then: the coefficient of $t^8$ in function $i$ is $(-1)^{7-i}c_i\beta$
+:given: any $\beta$; $c_i$, the number before $\beta t$ in the linear factor of function $i$, printed or corrected
+:then: the coefficient of $t^8$ in function $i$ is $(-1)^{7-i}c_i\beta$, and no $c_i$ is 0
 :method: The Bernstein coefficients from the kernel, taken to powers of $t$ by `bernstein_to_power`.
 :degrees: 7..7
 :control: the sign left out
@@ -226,7 +226,10 @@ CLAIM(leading_coefficients_are_multiples_of_beta)
             G(bernstein_to_power)(8, column, column);
             int sign = fault(T, (7 - i) % 2 == 0 ? 1 : -1, 1);
             /* (-1)^{7-i} c_i β */
+            about(T, "the coefficient");
             same(T, column[8], mul(mul(from_int(sign), c[printed_ones][i]), beta));
+            about(T, "the square of the number");
+            G(must_be_positive)(T, mul(c[printed_ones][i], c[printed_ones][i]));
         }
     }
 }
@@ -269,9 +272,10 @@ together gives the one exception, $\nu_2$ and $\varphi_5$ give the other.
 :holds-by: functions_are_independent_but_for_two_values inversions_of_two_diagonals_meet_a_zero
 :hypothesis: two_functions_coincide | $\beta\ne-7$
 :hypothesis: a_combination_vanishes | $\beta\ne-\frac{21}4$
+:meant: the name, basis functions (基函数), which is all that is printed | The eight functions are linearly independent, a basis of the space that they span.
 :figure: dependent_functions
 
-The text only gives the name; what is decided is whether they are linearly independent.
+A basis of all polynomials of degree at most 8 has nine functions, so that these eight are none.
 :::
 
 :::{claim} functions_are_independent_but_for_two_values
@@ -494,8 +498,8 @@ difference of its sides has the factor $1-2t$, and in the middle of the interval
 :printed: $B_{0,7}(1-t)=B_{7,7}(t)$, $B_{1,7}(1-t)=B_{6,7}(t)$, $B_{2,7}(1-t)=B_{5,7}(t)$, $B_{3,7}(1-t)=B_{4,7}(t)$
 :refuted-by: printed_middle_functions_are_no_mirror_images
 :class: misprint
-:corrected: for $i=0,1,2$ as printed; for the printed $\hat B_3$ and $\hat B_4$ it is $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$, so that the fourth equation needs
-  $\beta=0$; the corrected functions (`sec-2-properties`) have all four for every $\beta$
+:corrected: for $i=0,1,2$ as printed; for the printed $\hat B_3$ and $\hat B_4$ it is $\hat B_3(1-t)-\hat B_4(t)=-4\beta(1-2t)(1-t)^3t^4$, so that the fourth equation holds for
+  all $t$ only if $\beta=0$; the corrected functions (`sec-2-properties`) have all four for every $\beta$
 :corrected-by: printed_outer_functions_are_mirror_images corrected_functions_are_mirror_images
 :figure: eight_functions
 :::
@@ -637,8 +641,8 @@ CLAIM(functions_vanish_to_their_orders_at_the_ends)
   $2\le k<j\le7$
 :holds-by: functions_vanish_to_their_orders_at_the_ends
 :meant: definition 2.1, which has no functions but $B_{0,7},\dots,B_{7,7}$ | $B_{3,3},B_{4,4},\dots$, from the second derivative on, are $B_{3,7},B_{4,7},\dots$.
-:reading: functions_of_lower_degree_vanish_at_the_beginning | $B_{j,j}$ to the letter, the last function of degree $j$, $3\le j\le7$, of the
-  family or of Bernstein
+:reading: functions_of_lower_degree_vanish_at_the_beginning | $B_{j,j}$ to the letter, the last of the functions $B_{i,j}$ of the
+  family in degree $j$, $3\le j\le7$, or of those of Bernstein: then, too, $B_{j,j}^{(k)}(0)=0$ for $2\le k<j$
 :figure: eight_functions
 :::
 
@@ -680,9 +684,12 @@ CLAIM(functions_of_lower_degree_vanish_at_the_beginning)
   $B_{j,5}'''(1)=0$ for $j\le3$; $B_{j,7}^{(k)}(1)=0$ for $j\le6-k$, $k=4,5,6$
 :refuted-by: derivative_of_degree_five_does_not_vanish
 :class: misprint
-:corrected: for the printed functions $\hat B_j$, and for the corrected ones, $\hat B_j^{(k)}(1)=0$ for $k+j\le6$: the index 5 of $B_{4,5}$ and the others is 7
+:corrected: for the printed functions $\hat B_j$, and for the corrected ones (`sec-2-properties`), $\hat B_j^{(k)}(1)=0$ for $k+j\le6$: the index 5 of $B_{4,5}$ and the others is 7
 :corrected-by: functions_vanish_to_their_orders_at_the_ends
 :figure: degree_five_at_the_end
+
+To the letter $B_{4,5}$ is a function of the family in degree five, whose formula is in the remarks of `sec-2-properties`, or that of Bernstein; the
+counterexample has both.
 :::
 */
 
@@ -731,7 +738,7 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :printed: for $\beta=0$ and every $i=0,\dots,7$: $B_{0,7}(t)=B_i^7(t)$
 :refuted-by: first_function_is_not_every_bernstein_polynomial
 :class: misprint
-:corrected: for $\beta=0$, $B_{i,7}(t)=B_i^7(t)$: the index 0 on the left is $i$; so for the functions $\hat B_i$ that are printed and for the corrected ones
+:corrected: for $\beta=0$, $B_{i,7}(t)=B_i^7(t)$: the index 0 on the left is $i$; so for the functions $\hat B_i$ that are printed and for the corrected ones (`sec-2-properties`)
 :corrected-by: beta_zero_gives_bernstein_polynomials
 :figure: beta_zero
 :degree: 7
@@ -740,8 +747,9 @@ CLAIM(derivative_of_degree_five_does_not_vanish)
 :::{statement} deng-zhang-2022:property-2.7-extension
 :title: The functions extend the Bernstein polynomials of degree seven
 :zh: 七次 Bernstein 基函数的拓展
-:printed: the functions of (1) are an extension of the Bernstein basis of degree seven
+:printed: property 2.7 says that the functions of (1) are an extension of the Bernstein basis of degree seven (the extension also in the abstract)
 :holds-by: beta_zero_gives_bernstein_polynomials
+:meant: its words "for every $i=0,\dots,7$" | Property 2.7 is $B_{i,7}(t)=B_i^7(t)$ for $\beta=0$; the index 0 printed in (9) is $i$.
 :figure: beta_zero
 :degree: 7
 :::
@@ -808,8 +816,8 @@ CLAIM(beta_zero_gives_bernstein_polynomials)
 :printed: figure 1 shows the eight functions for $\beta=-1$
 :reading: that these functions, and which of the two, are drawn: the figure is not in the text that was examined, so that nothing is there to be
   decided
-:reading: printed_sum_in_closed_form | the functions as printed, with the sum $1+4(1-t)^3t^4$ for $\beta=-1$
-:reading: corrected_functions_sum_to_one | the corrected functions, with the sum 1
+:reading: printed_sum_in_closed_form | that the eight functions of the figure, if they are those of (1) as printed, have the sum $1+4(1-t)^3t^4$
+:reading: corrected_functions_sum_to_one | that the eight functions of the figure, if they are the corrected ones (`sec-2-properties`), have the sum 1
 :figure: eight_functions
 :::
 */

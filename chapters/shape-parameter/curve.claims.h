@@ -88,8 +88,9 @@ CLAIM(curve_kernels_give_the_sum)
 :figure: curves_for_several_beta
 :degree: 7
 
-With the printed functions and with the corrected ones it is a Bézier curve of nine points; computed coordinate by coordinate for points of the plane, and so in
-every dimension.  Its degree is at most 8; for $\beta=0$ it is at most 7.
+The name is true in this sense: with the printed functions and with the corrected ones (`sec-2-properties`) the curve of $n+1=8$ points is a Bézier curve
+of $n+2=9$ points; computed coordinate by coordinate for points of the plane, and so in every dimension.  As a polynomial it has at most degree 8, for
+$\beta=0$ at most 7; when the functions themselves have degree 8 is said in `def-2.1-degree`.
 :::
 
 :::{claim} bezier_points_divide_the_edges
@@ -154,7 +155,8 @@ CLAIM(bezier_points_divide_the_edges)
 :zh: β=0 时为 Bézier 曲线
 :given: points of the plane, any $t$
 :then: $\sum P_iB_{i,n}(t)$ for $\beta=0$ and, for $n=7$, $\sum P_i\hat B_i(t)$ are the point of de Casteljau's algorithm
-:method: The kernel, and the eight printed formulas, against that algorithm, everything a variable.
+:method: The kernel, and the eight printed formulas, against that algorithm, everything a variable; coordinate by coordinate, so that it is true in
+  every dimension.
 :degrees: 2..7 sampled 14
 :control: $\beta=1$
 :::
@@ -189,9 +191,10 @@ all.  A polygon that has no other edge gives one curve for all $\beta$, and this
 :zh: 图 2
 :printed: figure 2 shows, from right to left, the curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that this order is from right to left: the polygon is not given, so that nothing is there to be decided
-:reading: printed_points_move_evenly_with_beta | the points of one $t$ stand on a straight line in equal distances, in the order of
-  $\beta$, or are one point, for the printed functions; on which side is a matter of the polygon, which the text does not give
-:reading: points_move_evenly_with_beta | the same for the corrected functions
+:reading: printed_points_move_evenly_with_beta | that the order is that of $\beta$, with the printed functions: for each $t$ the points of the nine curves stand on a straight
+  line in this order, in equal distances, or are one point; which end is the right one is a matter of the polygon
+:reading: points_move_evenly_with_beta | that the order is that of $\beta$, with the corrected functions (`sec-2-properties`): for each $t$ the points of the nine curves
+  stand on a straight line in this order, in equal distances, or are one point
 :figure: curves_for_several_beta
 :::
 
@@ -200,7 +203,7 @@ all.  A polygon that has no other edge gives one curve for all $\beta$, and this
 :zh: 曲线上的点随 β 匀速直线移动
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$, $h$ and $t$
 :then: $q_{\beta+h}(t)-q_\beta(t)=h\sum_{k=1}^na_k(P_k-P_{k-1})s^{n+1-k}t^k$
-:method: The kernel at $\beta+h$ and $\beta$, everything a variable.
+:method: The kernel at $\beta+h$ and $\beta$, everything a variable; coordinate by coordinate, so that it is true in every dimension.
 :degrees: 2..7 sampled 12
 :over: h: step of β
 :control: the first edge left out
@@ -231,7 +234,7 @@ CLAIM(points_move_evenly_with_beta)
 :zh: 按式 (1) 曲线上的点亦随 β 匀速直线移动
 :given: eight points of the plane, any $\beta$, $h$ and $t$; the curves $\hat q_\beta$ of the printed functions
 :then: $\hat q_{\beta+h}(t)-\hat q_\beta(t)=h\,(\hat q_1(t)-\hat q_0(t))$
-:method: The printed functions at $\beta+h$, $\beta$, 1 and 0, everything a variable.
+:method: The printed functions at $\beta+h$, $\beta$, 1 and 0, everything a variable; coordinate by coordinate, so that it is true in every dimension.
 :degrees: 7..7
 :over: h: step of β
 :control: $\hat q_2$ in the place of $\hat q_1$
@@ -259,10 +262,10 @@ CLAIM(printed_points_move_evenly_with_beta)
 :meant: definition 3.1, where the curve is a function of $t$ | Curves are different when they are different functions of $t$.
 :figure: edges_that_do_not_move
 
-As sets of points curves that are different functions may be one: with the corrected functions and $-\frac{21}4\le\beta\le1$ the curve of
+As sets of points curves that are different functions may be one: with the corrected functions (`sec-2-properties`) and $-\frac{21}4\le\beta\le1$ the curve of
 points of a segment from $P_0$ to $P_7$ is this segment, which is the hull.  They are different sets with the corrected functions where the first
 coordinates of the points are $0,0,0,0,1,1,1,1$ and the polygon is not excepted: then the first coordinate of the curve is the same for all $\beta$, and
-rises with $t$.  Other polygons are not asked for sets.  Whether the curves approximate the polygon, is asked by property 3.5.
+rises with $t$.  Other polygons are not asked for sets.  That the curves approximate the polygon is not decided here: how near they are is asked by property 3.5.
 :::
 */
 
@@ -367,7 +370,7 @@ edge.
 :figure: end_edges
 :degree: 7
 
-True for all real $\beta$, with the printed functions as with the corrected ones: the two wrong functions vanish at
+True for all real $\beta$, with the printed functions as with the corrected ones (`sec-2-properties`): the two misprinted ones, $B_{3,7}$ and $B_{4,7}$, vanish at
 least threefold at both ends.
 :::
 
@@ -377,7 +380,8 @@ least threefold at both ends.
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$
 :then: $q(0)=P_0$, $q(1)=P_n$, $q'(0)=(n+\beta)(P_1-P_0)$, $q'(1)=(n+\beta)(P_n-P_{n-1})$; for $n=7$ also with the printed
   functions
-:method: The derivatives of the Bézier curve of degree $n+1$ at the two integers, everything a variable.
+:method: The derivatives of the Bézier curve of degree $n+1$ at the two integers, everything a variable; coordinate by coordinate, so that it is true in every
+  dimension.
 :degrees: 2..8 sampled 14
 :control: $n$ in the place of $n+\beta$
 :::
@@ -471,6 +475,8 @@ CLAIM(derivatives_of_the_curve)
 :hypothesis: double_end_point_has_no_end_edge | the end edges are not 0
 :figure: end_edges
 :degree: 7
+
+That the curve begins in $P_0$ and ends in $P_7$ needs neither hypothesis.
 :::
 */
 
@@ -628,7 +634,7 @@ CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$, for the printed ones only for $\beta=0$
 :corrected-by: reversed_polygon_reverses_the_curve printed_outer_functions_are_mirror_images
-:reading: printed_sum_in_closed_form | of the correction, curves compared as sets of points, $-7\le\beta\le1$, $\beta\ne0$: the printed curve of
+:reading: printed_sum_in_closed_form | "only for $\beta=0$" in the correction, with the curves compared as sets of points, $-7\le\beta\le1$: for $\beta\ne0$ the printed curve of
   $P_0=\dots=P_6=(0,1)$, $P_7=(1,1)$ is $(\hat B_7(t),\,1-4\beta s^3t^4)$, that of the reversed polygon at $s=1-t$ is
   $(\hat B_7(t),\,1-4\beta s^4t^3)$, and $\hat B_7$ rises: two sets
 :reading-with: printed_outer_functions_are_mirror_images derivative_of_a_function_factors first_function_falls_and_last_rises
@@ -678,7 +684,7 @@ CLAIM(printed_curve_is_not_reversed)
 :zh: 控制顶点反序,曲线反向
 :given: points of the plane, any $\beta$ and $t$
 :then: the curve of $P_n,\dots,P_0$ at $1-t$ is $q(t)$
-:method: Both by the kernel, everything a variable.
+:method: Both by the kernel, everything a variable; coordinate by coordinate, so that it is true in every dimension.
 :degrees: 2..7 sampled 12
 :control: the curve of the reversed polygon at $t$
 :::
@@ -704,7 +710,7 @@ CLAIM(reversed_polygon_reverses_the_curve)
 :refuted-by: curve_is_not_its_own_reverse printed_curve_is_not_reversed
 :class: misprint
 :corrected: $\tilde B(1-t)=\sum P_{7-i}B_{i,7}(1-t)=\sum P_jB_{j,7}(t)=q(t)$, where $\tilde B$ on the left is the curve of the
-  reversed polygon, $q$ that of the polygon, and the functions are the corrected ones
+  reversed polygon, $q$ that of the polygon, and the functions are the corrected ones (`sec-2-properties`)
 :corrected-by: reversed_polygon_reverses_the_curve
 :figure: two_directions_two_curves
 :degree: 7

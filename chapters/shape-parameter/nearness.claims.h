@@ -22,7 +22,7 @@ $\beta$ can make the curve worse, in the true range of $\beta$; in the first and
 :corrected: with the corrected functions (`sec-2-properties`), for fixed $t$ the point moves with $\beta$ evenly, or not at all, on the straight line through it with
   the direction $b_1-(s\,b_0+t\,b_2)$, $s=1-t$, where $b_0,b_1,b_2$ is level 5 of de Casteljau's triangle; for $-2\le\beta\le1$ it is in the
   triangle $b_0b_1b_2$, its weight at $b_1$ does not fall and those at $b_0$ and $b_2$ do not grow; if the polygon is convex and turns by
-  at most two right angles, each point of the curve moves outward or stays while $\beta$ grows from $-\frac72$ to 1
+  at most two right angles, each point of the curve with $q'(t)\ne0$ moves outward or stays while $\beta$ grows from $-\frac72$ to 1
 :corrected-by: curve_is_a_blend_of_three_points corrected_functions_sum_to_one blend_is_convex_from_minus_two_to_one
   growing_beta_pushes_by_the_turns turns_push_outward_in_the_range
 :confirmed-by: turns_push_by_these_numbers_in_every_degree product_of_two_sums_goes_by_pairs
@@ -98,6 +98,15 @@ than the Bézier curve of $\beta=0$: the largest distance is greater there than 
 */
 CLAIM(larger_beta_is_worse_for_a_convex_polygon) { G(refute_closer_to_a_convex_polygon)(T, 7); }
 
+/* Whether the polygon of the claim is convex and the curve of the first β closer to it. */
+static void G(agree_closer_to_a_convex_polygon)(trial *T)
+{
+    num P[8 * dim], beta[2];
+    int better = G(one_is_farther)(T, 7, P, beta);
+    agree(T, polygon_is_convex(7, P, 1, NULL));
+    agree(T, better);
+}
+
 /*
 :::{claim} convex_polygon_prefers_beta_one
 :title: A convex polygon to which the curve of beta = 1 is closer than the Bézier curve
@@ -117,13 +126,7 @@ CLAIM(larger_beta_is_worse_for_a_convex_polygon) { G(refute_closer_to_a_convex_p
 :control: the two values of $\beta$ exchanged
 :::
 */
-CLAIM(convex_polygon_prefers_beta_one)
-{
-    num P[8 * dim], beta[2];
-    int better = G(one_is_farther)(T, 7, P, beta);
-    agree(T, polygon_is_convex(7, P, 1, NULL));
-    agree(T, better);
-}
+CLAIM(convex_polygon_prefers_beta_one) { G(agree_closer_to_a_convex_polygon)(T); }
 
 /*
 The comparison with the Bézier curve is the comparison of $\beta$ with 0.  It was just won for one convex polygon; for
@@ -133,13 +136,15 @@ another one it is lost.
 :title: The curve is closer to its polygon than the Bézier curve of degree seven
 :zh: 比七次 Bezier 曲线更优
 :printed: the approximation of the control polygon is better than that of the Bézier curve of degree seven
-:refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve
+:refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve convex_polygon_prefers_zero_to_minus_two
 :class: false
-:corrected: the Bézier curve is $\beta=0$; so for $\beta<0$ the sentence contradicts property 3.5, which is false, too, and neither is decided there; for $\beta=1$, the largest
-  distances of points of the curves from the polygon being compared, it holds for the convex polygon of the decision and fails for that of the
-  second counterexample
-:corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one
+:corrected: the Bézier curve is that of $\beta=0$.  For one convex polygon, that of the two decisions, both the curve of $\beta=1$ and that of $\beta=-2$ are closer than it, the largest
+  distances of points of the curves from the polygon being compared; for the convex polygon of the second counterexample the curve of $\beta=1$ is not, for that
+  of the third one the curve of $\beta=-2$ is not
+:corrected-by: beta_zero_gives_the_bezier_curve convex_polygon_prefers_beta_one convex_polygon_prefers_minus_two
 :figure: closer_or_not
+
+For which $\beta$ the sentence is, is not printed.  For $\beta<0$ it says the contrary of property 3.5, by which the curve of the larger $\beta$, which is 0, is the closer one.
 :::
 
 :::{claim} convex_polygon_prefers_the_bezier_curve
@@ -158,6 +163,45 @@ another one it is lost.
 :::
 */
 CLAIM(convex_polygon_prefers_the_bezier_curve) { G(refute_closer_to_a_convex_polygon)(T, 7); }
+
+/*
+On the other side of 0 it is the same: one convex polygon is nearer to the curve of $\beta=-2$, another to the Bézier curve.
+
+:::{claim} convex_polygon_prefers_zero_to_minus_two
+:title: A convex polygon to which the Bézier curve is closer than the curve of beta = -2
+:zh: 凸多边形:七次 Bezier 曲线比 β=-2 的曲线更近
+:kind: counterexample
+:data: P = (-6,-4) (-5,-2) (-3,0) (0,1) (1,1) (4,-1) (5,-3) (5,-6); β = 0 -2; r² = 6/5
+:instead: β = -2 0
+:result: t of a farther point = 15/32 31/64
+:given: a convex polygon, the $\beta$ of the Bézier curve and a negative one, and the square of a distance; printed and corrected functions
+:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second some point is farther
+:method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
+  rational $t$ and all edges.  `hull.h` decides that the polygon is convex.
+:control: the two values of $\beta$ exchanged
+:::
+*/
+CLAIM(convex_polygon_prefers_zero_to_minus_two) { G(refute_closer_to_a_convex_polygon)(T, 7); }
+
+/*
+:::{claim} convex_polygon_prefers_minus_two
+:title: A convex polygon to which the curve of beta = -2 is closer than the Bézier curve
+:zh: 凸多边形:β=-2 的曲线更近
+:kind: decision
+:data: P = (-1,-2) (2,0) (3,1) (4,3) (-2,4) (-4,-2) (-4,-3) (-3,-3); β = -2 0; r² = 11/2
+:instead: β = 0 -2
+:result: t of a farther point = 35/64 35/64
+:given: a convex polygon, a negative $\beta$ and that of the Bézier curve, and the square of a distance; printed and corrected functions
+:then: for the first $\beta$ every point of the curve is nearer to the polygon than $r$, for the second, the Bézier curve,
+  some point is farther
+:method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
+  rational $t$ and all edges.  `hull.h` decides that the polygon is convex.
+:degrees: 7..7
+:scope: the stated polygon
+:control: the two values of $\beta$ exchanged
+:::
+*/
+CLAIM(convex_polygon_prefers_minus_two) { G(agree_closer_to_a_convex_polygon)(T); }
 #endif
 
 /*

@@ -25,7 +25,7 @@ $i=6$ say $\beta\ge-7$; the source stops there.  Those of $i=2$ and $i=5$ say $2
 :printed: $B_{i,7}\ge0$, $i=0,\dots,7$ (definition 2.1: $t\in[0,1]$, $-7\le\beta\le1$)
 :refuted-by: third_function_is_negative
 :class: false
-:corrected: all eight functions, printed or corrected, are nonnegative on $[0,1]$ exactly for $-\frac{21}4\le\beta\le1$
+:corrected: all eight functions, printed or corrected (`sec-2-properties`), are nonnegative on $[0,1]$ exactly for $-\frac{21}4\le\beta\le1$
 :corrected-by: nonnegative_exactly_in_the_range
 :confirmed-by: range_of_every_degree
 :figure: negative_function
@@ -67,7 +67,7 @@ some line passes through 0.  At the left end this is $\nu_2$, and not $\nu_1$, w
 :kind: decision
 :data: range of β = -21/4 1
 :instead: range of β = -7 1
-:given: all real $\beta$, a range of it, the printed and the corrected functions
+:given: all real $\beta$, a range of it, the printed and the corrected functions $(\nu_is+\varphi_it)s^{7-i}t^i$ with $s=1-t$
 :then: all $\nu_i\ge0$, $\varphi_i\ge0$ in the range; $\nu_2<0$ for every smaller and $\varphi_0<0$ for every
   larger $\beta$
 :method: Function $i$ is $\nu_is+\varphi_it$ times powers that are positive in $(0,1)$, so it is nonnegative on $[0,1]$ exactly when both numbers
@@ -111,26 +111,29 @@ one maximum of the function is between these two.
 :printed: having one peak (单峰性): each of the basis functions has a local maximum on $[0,1]$ (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: third_function_has_two_maxima
 :class: false
-:corrected: for $-\frac{21}4\le\beta\le1$ each function, printed or corrected, has exactly one local maximum on $[0,1]$ and
+:corrected: for $-\frac{21}4\le\beta\le1$ each function, printed or corrected (`sec-2-properties`), has exactly one local maximum on $[0,1]$ and
   no inner local minimum; for $-7\le\beta<-\frac{21}4$ this is so for all but $B_2$ and $B_5$, which take negative values
   and have one inner maximum, one inner minimum and a maximum at an end
 :corrected-by: derivative_of_a_function_factors quadratic_factor_changes_its_sign_once each_function_rises_then_falls
   third_function_falls_then_rises_below_the_range first_function_falls_and_last_rises
 :meant: the heading, one peak | Each function has exactly one local maximum on $[0,1]$.
-:reading: third_function_falls_then_rises_below_the_range | local maxima in the open interval only, for $i=1,\dots,6$ and
-  $-7\le\beta<-\frac{21}4$: then each has one there, too; $B_0$, which falls, and $B_7$, which rises, have none
-:reading-with: derivative_of_a_function_factors quadratic_factor_changes_its_sign_once first_function_falls_and_last_rises
+:reading: third_function_falls_then_rises_below_the_range | local maxima in the open interval only, of the functions $i=1,\dots,6$: each has
+  exactly one there; $B_0$, which falls, and $B_7$, which rises, have none
+:reading-with: derivative_of_a_function_factors quadratic_factor_changes_its_sign_once each_function_rises_then_falls first_function_falls_and_last_rises
+:reading: third_function_falls_then_rises_below_the_range | at least one local maximum on $[0,1]$, which every continuous function has: each of the eight
+  has one
+:reading-with: derivative_of_a_function_factors quadratic_factor_changes_its_sign_once each_function_rises_then_falls first_function_falls_and_last_rises
 :figure: negative_function
 :::
 
 :::{statement} deng-zhang-2022:property-2.5-proof
 :title: One maximum is seen from figure 1 and verified by the derivatives
 :zh: 单峰性的论证
-:printed: this can be judged from figure 1 and verified by differentiating the functions
+:printed: that each function has one local maximum on $[0,1]$ can be judged from figure 1 and verified by differentiating the functions
 :refuted-by: third_function_has_two_maxima
 :class: invalid-proof
-:corrected: figure 1 has one value of $\beta$, $-1$, for which it is right; the derivatives verify it for
-  $-\frac{21}4\le\beta\le1$ and refute it for $-7\le\beta<-\frac{21}4$
+:corrected: figure 1 is for one value of $\beta$, $-1$, for which each function, printed or corrected (`sec-2-properties`), has exactly one local
+  maximum; the derivatives verify this for $-\frac{21}4\le\beta\le1$, and for $-7\le\beta<-\frac{21}4$ they refute it for $B_2$ and $B_5$
 :corrected-by: derivative_of_a_function_factors quadratic_factor_changes_its_sign_once each_function_rises_then_falls
   third_function_falls_then_rises_below_the_range first_function_falls_and_last_rises
 :figure: negative_function
@@ -303,9 +306,10 @@ falls, and has to rise again.
 :then: $\nu_2<0<\varphi_2$, so that $B_2$ falls from $B_2(0)=0$, rises and falls again to $B_2(1)=0$: one inner minimum,
   one inner maximum, and a local maximum at $t=0$; $\varphi_5<0<\nu_5$, so that $B_5$ rises from 0, falls and rises again to 0, with a
   local maximum at $t=1$; for all other $i$ with $0<i<n$ still $\nu_i,\varphi_i\ge0$ and not both $0$, so that function $i$ rises and then falls
-:method: Signs of linear polynomials in $\beta$ on the interval.  The quadratic factor for $i=2$ has at most two roots; it is negative for small
-  $t>0$, as $i\nu_i$ is, and for $t$ near 1, as $-(n-i)\varphi_i$ is, and not negative everywhere between, because $B_2$ takes positive values near 1:
-  two changes of sign.  For $i=5$ all signs are the other ones.
+:method: Signs of linear and quadratic polynomials in $\beta$ on the interval.  The quadratic factor of the derivative divided by $s^2$ is
+  $i\nu_i+mx-(n-i)\varphi_ix^2$ with $m=(i+1)\varphi_i-(n+1-i)\nu_i$ and $x=\frac ts$.  For $i=2$ and $i=5$ its discriminant
+  is positive, and $m$ has the sign of $\varphi_i$, the other one than $\nu_i$: two different roots, with positive sum and product,
+  so both are positive, and at each the sign changes.
 :degrees: 7..7
 :scope: −7 ≤ β < −21/4
 :control: an interval that reaches into the true range
@@ -323,6 +327,12 @@ CLAIM(third_function_falls_then_rises_below_the_range)
         agree(T, sign_on(far[2], low, high, CLOSED) == SIGN_POSITIVE);
         agree(T, sign_on(near[5], low, high, CLOSED) == SIGN_POSITIVE);
         agree(T, sign_on(far[5], low, high, OPEN_RIGHT) == SIGN_NEGATIVE);
+        for (int i = 2; i <= 5; i += 3) {
+            poly middle = poly_sub(poly_scale(far[i], from_int(i + 1)), poly_scale(near[i], from_int(8 - i)));
+            poly product = poly_scale(poly_mul(near[i], far[i]), from_int(4 * i * (7 - i)));
+            agree(T, sign_on(middle, low, high, CLOSED) == (i == 2 ? SIGN_POSITIVE : SIGN_NEGATIVE));
+            agree(T, sign_on(poly_add(poly_mul(middle, middle), product), low, high, CLOSED) == SIGN_POSITIVE);
+        }
         for (int i = 1; i <= 6; i++)
             if (i != 2 && i != 5) {
                 agree(T, is_nonnegative_on(near[i], low, high) && is_nonnegative_on(far[i], low, high));
@@ -377,7 +387,7 @@ $t=\frac{a_i}{a_i+a_{i+1}}$ when $a_i$ and $a_{i+1}$ have one sign.
 :refuted-by: second_function_decreases
 :class: false
 :corrected: for $0<t<1$: $B_0$ and $B_7$ decrease; $B_1$ increases exactly for $t<\frac15$, $B_2$ for $t<\frac49$, $B_5$ for
-  $t>\frac59$, $B_6$ for $t>\frac45$, and on the other side of these points they decrease; the corrected $B_3$ and $B_4$ increase.  Of the
+  $t>\frac59$, $B_6$ for $t>\frac45$, and on the other side of these points they decrease; the corrected $B_3$ and $B_4$ (`sec-2-properties`) increase.  Of the
   printed ones $\hat B_4$ increases, and $\hat B_3$ exactly for $t<\frac59$
 :corrected-by: slopes_in_beta signs_of_the_slopes
 :figure: slopes_in_beta
@@ -426,7 +436,7 @@ $\beta$ and $\beta t$.
 :zh: 基函数关于 β 是线性的
 :data: b = 0 1 4 5 0 -5 -4 -1; c, printed functions = -1 -5 -9 -9 1 9 5 1; c, corrected functions = -1 -5 -9 -5 5 9 5 1
 :instead: b = 0 -1 4 5 0 -5 -4 -1
-:given: any $\beta$, $h$ and $t$; the numbers $b$ and $c$
+:given: any $\beta$, $h$ and $t$; $b_i$ and $c_i$, the numbers before $\beta$ and $\beta t$ in the linear factor of function $i$, printed or corrected; $s=1-t$
 :then: $\hat B_i$ at $\beta+h$ minus $\hat B_i$ at $\beta$ is $h(b_i+c_it)s^{7-i}t^i$; likewise for the corrected
   functions
 :method: The kernels at $\beta+h$ and $\beta$, all variables.

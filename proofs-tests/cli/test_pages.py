@@ -159,8 +159,8 @@ class Words(unittest.TestCase):
 
     def test_readings_that_are_known_and_that_are_not(self):
         page = " ".join(show("deng-zhang-2022:fig-2").split())
-        self.assertIn("Verdict True: the points of one t stand on a straight line in equal distances, in the order of β, or are one point, for the printed "
-                      "functions (2); the same for the corrected functions (3). Not decided: that this order is from right to left (1). ", page)
+        self.assertIn("Verdict True: that the order is that of β, with the printed functions (2); that the order is that of β, with the corrected functions "
+                      "(`sec-2-properties`) (3). Not decided: that this order is from right to left (1). ", page)
 
     def test_every_undecided_verdict_begins_with_what_is_true(self):
         """Where something is; the words are those of a reading, and each reading is in the verdict once, with its number."""
