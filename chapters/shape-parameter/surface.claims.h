@@ -38,9 +38,12 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 :zh: 图 3 花瓣图形
 :printed: figure 3 shows the petals (花瓣图形) of the closed curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that they look like petals: the polygon is not given, so that nothing is there to be decided
+:reading: end_points_and_end_derivatives | that the curves are closed: for $P_0=P_7$ each of them begins and ends in this point, with the printed functions
+  and with the corrected ones
 :reading: printed_points_move_evenly_with_beta | with the printed functions, for any polygon, the points of one $t$ on the nine curves are on a
   straight line in equal distances, or are one point; which polygon it is, is not said
-:reading: points_move_evenly_with_beta | the same with the corrected functions
+:reading: points_move_evenly_with_beta | with the corrected functions, for any polygon, the points of one $t$ on the nine curves are on a straight line in
+  equal distances, or are one point
 :figure: petals
 :::
 
@@ -59,7 +62,7 @@ the point.  In the field this shows that the double sum (22) is what the kernel 
 :confirmed-by: surface_kernel_gives_the_double_sum
 :figure: shape_surface
 
-One parameter serves both directions; `shape_surface_point`, the kernel of the corrected functions, has one for each.  A coordinate of the
+One $\beta$ serves both directions.  A coordinate of the
 surface comes from that coordinate of the points alone, and so the same is true in every $\mathbb R^d$.
 :::
 */
@@ -198,7 +201,7 @@ CLAIM(reversed_net_reverses_the_surface)
 :data: β = 1; P_{ij} for all i and j = 1; number of points = 64; u = 1/2; v = 1/2
 :result: surface at (u, v) = 961/1024
 :given: the right end of the range of $\beta$, one number for all $P_{ij}$, which may be a coordinate, and the middle of
-  the square
+  the square; printed functions
 :then: the surface has there another value than its points
 :method: The double sum of the printed functions.
 :control: the corrected functions
@@ -505,7 +508,7 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
 :figure: shape_surface
 
 Decided is that the surface, with its parameters, is not the same for all $\beta$; single
-values of $\beta$ are not compared.
+values of $\beta$ are not compared.  The corrected functions are those of `sec-2-properties`.
 :::
 
 :::{claim} nets_that_do_not_move
@@ -633,7 +636,7 @@ What it takes to find the nine points is not counted.
 :title: Horner's rule on the nine Bézier points gives the curve
 :zh: Horner 法则求曲线上的点
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$; for $n=7$ the printed functions as well as the corrected ones
-:then: `bezier_horner` with the $n+2$ Bézier points of the curve, which the matrix of the functions gives, is $\sum P_iB_{i,n}(t)$
+:then: Horner's rule with the $n+2$ Bézier points of the curve, which the matrix of the functions gives, is $\sum P_iB_{i,n}(t)$
 :method: Kernels against the formula, everything a variable.
 :degrees: 2..7 sampled 14
 :control: $t$ and $1-t$ exchanged
@@ -680,7 +683,7 @@ static int products(struct operations cost) { return cost.multiplications + cost
 :zh: 八次曲线上点的运算次数多于七次
 :kind: decision
 :data: lower degree = 7; higher degree = 8
-:given: two degrees $n$, one to three coordinates $d$; `bezier_horner` and `bezier_casteljau`
+:given: two degrees $n$, one to three coordinates $d$; Horner's rule and de Casteljau's algorithm
 :then: with $n$ for the degree, Horner's rule takes $2(d+1)n$ products and $dn+1$ sums, de Casteljau's algorithm $dn(n+1)$ and
   half of $dn(n+1)$ plus $n$; all are more for the higher degree
 :method: The kernels are run in the number type that counts; products with powers of two are counted with the others.
@@ -714,7 +717,7 @@ CLAIM(degree_eight_takes_more_operations)
 :kind: counterexample
 :data: degree by Horner's rule = 8; degree by de Casteljau's algorithm = 7
 :result: products = 48 112; sums = 17 63
-:given: the plane; `bezier_horner` in the higher degree, `bezier_casteljau` in the lower one
+:given: the plane; Horner's rule in the higher degree, de Casteljau's algorithm in the lower one
 :then: the first takes fewer products and fewer sums than the second
 :method: The kernels are run in the number type that counts.
 :control: `bezier_casteljau` in both degrees
