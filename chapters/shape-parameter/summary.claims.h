@@ -142,6 +142,8 @@ $(1+s)^n$, is $\sum\binom nib_is^i$, and 0 only if all $b_i$ are (`bernstein_bas
   line may have fewer than its Bézier curve
 :hypothesis: double_end_point_has_no_end_edge | the end edges are not 0, for the tangency
 :figure: end_edges
+
+Bézier's name is printed Beizer in this sentence and twice more in the introduction.
 :::
 
 :::{claim} double_end_point_has_no_end_edge
@@ -268,6 +270,7 @@ CLAIM(degree_with_the_parameter_exceeds_that_of_the_polygon)
 :figure: geometric_weights
 
 The sentence goes on that it is not clear yet how to choose the weights; that is an opinion, which no computation decides.
+It cites [10], whose first author is Mainar, printed Marnar.
 :::
 
 :::{claim} points_on_a_line_keep_their_segment

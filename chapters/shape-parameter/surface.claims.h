@@ -74,9 +74,9 @@ static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 :title: The surface with the printed functions, row by row
 :zh: 按式 (1)、(22) 的曲面
 :given: the 64 nets of one point 1 and all others 0, any $\beta$, $u$ and $v$
-:then: `shape_point_printed` for the rows and then for the eight points of $v$ gives $\sum_i\sum_jP_{ij}\hat B_i(u)\hat
-  B_j(v)$
-:method: The printed formulas; $\beta$, $u$, $v$ are variables.  Both sides are linear in the points.
+:then: the points at $v$ of the printed curves of the eight rows are eight points whose printed curve has at $u$ the point
+  $\sum_i\sum_jP_{ij}\hat B_i(u)\hat B_j(v)$
+:method: `shape_point_printed` twice against the printed formulas; $\beta$, $u$, $v$ are variables.  Both sides are linear in the points.
 :degrees: 7..7
 :control: $u$ and $v$ exchanged
 :::
@@ -504,11 +504,12 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
 :hypothesis: surface_that_does_not_move | the net is not constant on four blocks, with the corrected functions, and not $k_ik_jw$, with the printed
   ones: these nets $P_{ij}$, the blocks being $i,j\le3$, $i\le3<j$, $j\le3<i$ and $i,j\ge4$, $k=(0,0,0,0,5,1,1,1)$ and $w$ any vector, have one
   surface for all $\beta$
-:meant: definition 5.1, in which both directions have one $\beta$ | One $\beta$ is taken in both directions.
+:meant: definition 5.1, in which both directions have one $\beta$ and the surface is a function of $u$ and $v$ | One $\beta$ is taken in both directions, and
+  surfaces are different when they are different functions of $u$ and $v$.
 :figure: shape_surface
 
-Decided is that the surface, with its parameters, is not the same for all $\beta$; single
-values of $\beta$ are not compared.  The corrected functions are those of `sec-2-properties`.
+Decided is that the surface is not the same for all $\beta$; single
+values of $\beta$ are not compared, nor the surfaces as sets of points.  The corrected functions are those of `sec-2-properties`.
 :::
 
 :::{claim} nets_that_do_not_move
