@@ -96,7 +96,8 @@ $P,P,P,P,Q,Q,Q,Q$ (`polygons_that_do_not_move`, with the corrected functions).
 :::{statement} deng-zhang-2022:abstract-better
 :title: Better approximation, in the abstract and the introduction
 :zh: 摘要与引言中的"更好的逼近性"
-:printed: the curve has better adjustability and better approximation than the Bézier curve of degree seven
+:printed: the curve has adjustability of its shape and better approximation (abstract); as its functions, its pictures and its properties show, it has clearly
+  better adjustability and better approximation than the Bézier curve of degree seven (introduction)
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
 :corrected: adjustable it is, but for the polygons $P,P,P,P,Q,Q,Q,Q$ with the corrected functions (`sec-2-properties`) and $0,0,0,0,5v,v,v,v$ with the printed

@@ -625,8 +625,8 @@ number type that counts its operations.
 :zh: 海纳算法
 :printed: the curve takes more computation than the Bézier curve of degree seven, and can be computed by Horner's rule
 :holds-by: horner_rule_computes_the_curve degree_eight_takes_more_operations
-:hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed from their Bézier points, both by de
-  Casteljau's algorithm or both by Horner's rule: from nine points and from eight
+:hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed by the same algorithm, de Casteljau's
+  or Horner's rule: from their nine and their eight Bézier points
 :figure: operations_for_a_point
 :degree: 7
 
