@@ -31,8 +31,8 @@ the range from $-\frac{21}4$ to 1.
 :figure: closer_or_not
 :degree: 7
 
-Outward is, as in `property-3.5`, to the right of the derivative $q'$, or along it, where the polygon turns to the left; by at most two right angles in all, so
-that for $a<b$ the angle from the edge $e_a$ to $e_b$, $e_k=P_{k+1}-P_k$, is between 0 and $\pi$, and $e_a\times e_b\ge0$.
+Outward is, as in `property-3.5`, to the right of the derivative $q'$, or along it, where the polygon turns to the left.  As it turns by at most two right
+angles in all, for $a<b$ the angle from the edge $e_a$ to $e_b$, $e_k=P_{k+1}-P_k$, is between 0 and $\pi$, and $e_a\times e_b\ge0$.
 :::
 
 :::{statement} deng-zhang-2022:sec-6-features
