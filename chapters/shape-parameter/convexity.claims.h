@@ -55,6 +55,9 @@ at $\beta=-\frac{21}4$ for multiples of coefficients that change their sign thre
 :hypothesis: line_along_an_edge_has_three_points_of_a_convex_polygon | the line contains no edge; crossings are at most two in any case
 :figure: line_along_an_edge
 :degree: 7
+
+Convex is a polygon that is run through once in the boundary of its convex hull: the edge $P_7P_0$ closes it convexly, or it lies on a line and never
+turns back.  One that only turns always to the same side may be a spiral, which a line meets more often.
 :::
 */
 
@@ -216,7 +219,7 @@ CLAIM(triangle_has_three_points_on_its_base_below_the_range)
 :data: β = 1; P = (0,100) (1,101) (2,101) (3,101) (4,101) (5,101) (6,101) (7,100); Q = (0,401/4); u = (0,1)
 :result: common points of the curve = 4; crossings of the curve = 4; crossings of the polygon = 2; x'(t) > 0 on [0,1] = "yes"
 :given: the right end of the range of $\beta$, a flat convex polygon, and the line through $Q$ with the normal vector $u$,
-  a little above its ends
+  a little above its ends; printed functions
 :then: the polygon is convex, and the curve crosses the line twice as often as the polygon, in four points of the plane
 :method: The common points and the crossings are counted exactly, by their parameters; as $x$ grows with $t$, which the sign of $x'$ on $[0,1]$
   decides, they are different points.  `hull.h` decides that the polygon is convex.

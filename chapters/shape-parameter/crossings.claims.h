@@ -38,9 +38,9 @@ degree 8, and $Z(f)\le V(c)\le V(k)$.
   first_function_has_a_zero_for_every_larger_beta printed_sum_in_closed_form
   combination_begins_and_ends_with_its_coefficients sign_changes_are_counted_one_by_one
 :confirmed-by: roots_are_at_most_sign_changes
-:meant: (19) and (20), which count changes of sign and parameters | Intersections are counted along the curve and along the polygon.
-:reading: self_crossing_polygon_has_fewer_points_on_a_line | of the correction, common points counted as points of the plane: a polygon
-  that crosses itself on $L$ may have fewer than its curve
+:meant: the proof, which counts changes of sign along the polygon in (19) and parameters of the curve in (20) | Intersections are counted along the curve and along the polygon.
+:reading: self_crossing_polygon_has_fewer_points_on_a_line | common points counted as points of the plane: a polygon that crosses itself on $L$
+  may have fewer than its curve, already than the Bézier curve of $\beta=0$
 :figure: crossings_off_the_polygon
 :striking: 12
 
@@ -342,7 +342,7 @@ CLAIM(curve_on_a_line_that_its_polygon_crosses)
 :data: β = 1; P = (0,1) (1,1) (2,1) (3,1) (4,1) (5,1) (6,1) (7,1); Q = (0,63/64); u = (0,1)
 :result: crossings of the curve = 2; crossings of the polygon = 0; roots of (20) in (0,1) = 0
 :given: the right end of the range of $\beta$, points on a line, and the line through $Q$ with the normal vector $u$, a
-  little below
+  little below; printed functions $\hat B_j$
 :then: the line does not cross the polygon, and the curve crosses it; $\sum\hat B_j(P_j-Q)\cdot u$ has no root
 :method: The crossings are counted exactly by `crossings.h`, the roots of the polynomial by `roots.h`; that the first are no more than those of the
   polygon, or than the roots, is asked.

@@ -584,7 +584,7 @@ hull.  For the printed functions and $\beta\ne0$ the curve of eight equal points
 :kind: counterexample
 :data: β = 1; P = (1,1) (1,1) (1,1) (1,1) (1,1) (1,1) (1,1) (1,1); t = 1/2
 :result: q(t) = (31/32,31/32)
-:given: the right end of the range of $\beta$, eight equal points, and the middle of the interval
+:given: the right end of the range of $\beta$, eight equal points, and the middle of the interval; printed functions
 :then: the point of the curve is not the one point of the polygon
 :method: The point of the printed formulas; `hull.h` is asked whether it is in the hull.
 :control: the corrected functions

@@ -25,6 +25,11 @@ coefficients are positive.  That the argument nowhere uses the range of $\beta$ 
   $(0,1)$, $SA(k_0,\dots,k_7)$ the number of changes of sign of the sequence (14)
 :definition: yes
 :checked-by: combination_begins_and_ends_with_its_coefficients
+:confirmed-by: functions_are_independent_but_for_two_values
+
+The zero function has no number of roots: $f$ is zero for $k=0$, and for some $k\ne0$ when $\beta$ is $-7$ or $-\frac{21}4$.
+Whether a root counts as often as its multiplicity, and whether zeros are left out of the sequence, is not said; the claims on (15) count with the
+multiplicity and leave zeros out.
 
 The number of roots is called Zeros in (15) and Zero in (20), and the rule of signs 符号法制 once and 符号法则 afterwards.
 :::
@@ -120,10 +125,11 @@ CLAIM(parity_of_the_roots)
 :::{statement} deng-zhang-2022:eq-15
 :title: The rule of Descartes for the eight functions
 :zh: 笛卡尔符号法则，式 (15)
-:printed: These functions obey the rule of signs of Descartes on $(0,1)$ altogether: Zeros$(0,1)\{\sum_{i=0}^7k_iB_{i,7}(t)\}\le SA(k_0,\dots,k_7)$ for the constants (14)
+:printed: these functions fully obey the rule of signs of Descartes on $(0,1)$, that is, for the following sequence of constants, (14),
+  Zeros$(0,1)\{\sum_{i=0}^7k_iB_{i,7}(t)\}\le SA(k_0,\dots,k_7)$
 :refuted-by: positive_coefficients_with_two_roots a_combination_vanishes
 :class: false
-:corrected: for printed and for corrected functions: true for all $k\ne0$ exactly if $-\frac{21}4<\beta\le1$; at
+:corrected: for the printed functions and for the corrected ones (`sec-2-properties`): true for all $k\ne0$ exactly if $-\frac{21}4<\beta\le1$; at
   $\beta=-\frac{21}4$ true unless $f$ is the zero function, which it is for some $k\ne0$
 :corrected-by: totally_positive_exactly_in_the_range inversions_of_two_diagonals_meet_a_zero
   averages_between_neighbours_keep_sign_changes linear_factor_adds_a_change_of_sign
@@ -192,7 +198,7 @@ CLAIM(positive_coefficients_with_two_roots)
 :confirmed-by: corrected_functions_are_mirror_images
 :figure: zero_at_the_beginning
 
-With the corrected functions $f(1-t)$ is the sum of the coefficients backwards, so that the last one could be taken for the first; it may be 0, too.
+With the corrected functions (`sec-2-properties`) $f(1-t)$ is the sum of the coefficients backwards, so that the last one could be taken for the first; it may be 0, too.
 :::
 
 A sum whose first and last coefficient are 0 is not covered by the words "without loss of generality".  It takes little to cover it:

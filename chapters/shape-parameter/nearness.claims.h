@@ -209,7 +209,8 @@ CLAIM(convex_polygon_prefers_minus_two) { G(agree_closer_to_a_convex_polygon)(T)
 :title: The curve is closer than the C-Bézier curve of degree seven
 :zh: 比七次 C-Bezier 曲线更优
 :printed: so the curve approximates better than the C-Bézier curve of degree seven
-:reading: larger_beta_takes_the_curve_away_from_its_polygon | with the Bézier curve in the place of the C-Bézier curve, as the word "so" suggests
+:reading: larger_beta_takes_the_curve_away_from_its_polygon | with the Bézier curve in the place of the C-Bézier curve, as the word "so" suggests, and
+  $\beta=1$, the right end of the range, for the curve that is compared with it
 :reading: with C-Bézier curves, built with sines and cosines: neither defined nor compared in the text, so that nothing is there
   to be decided
 :figure: closer_or_not

@@ -31,7 +31,8 @@ the range from $-\frac{21}4$ to 1.
 :figure: closer_or_not
 :degree: 7
 
-Outward has the sense of `property-3.5`.
+Outward is, as in `property-3.5`, to the right of the derivative $q'$, or along it, where the polygon turns to the left.  As it turns by at most two right
+angles in all, for $a<b$ the angle from the edge $e_a$ to $e_b$, $e_k=P_{k+1}-P_k$, is between 0 and $\pi$, and $e_a\times e_b\ge0$.
 :::
 
 :::{statement} deng-zhang-2022:sec-6-features
@@ -95,7 +96,8 @@ $P,P,P,P,Q,Q,Q,Q$ (`polygons_that_do_not_move`, with the corrected functions).
 :::{statement} deng-zhang-2022:abstract-better
 :title: Better approximation, in the abstract and the introduction
 :zh: 摘要与引言中的"更好的逼近性"
-:printed: the curve has better adjustability and better approximation than the Bézier curve of degree seven
+:printed: the curve has adjustability of its shape and better approximation (abstract); as its functions, its pictures and its properties show, it has clearly
+  better adjustability and better approximation than the Bézier curve of degree seven (introduction)
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
 :corrected: adjustable it is, but for the polygons $P,P,P,P,Q,Q,Q,Q$ with the corrected functions (`sec-2-properties`) and $0,0,0,0,5v,v,v,v$ with the printed
@@ -121,7 +123,7 @@ $P,P,P,P,Q,Q,Q,Q$ (`polygons_that_do_not_move`, with the corrected functions).
 :argued: every n | By its definition the sum, or for a surface the double sum, has one value for given points and parameters, whatever the degrees.
 :figure: curves_for_several_beta
 
-As a parametrized curve of the same degree that of other points is another one: for $t=\frac s{1+s}$ the sum $\sum b_iB_i^n(t)$ of the differences, times
+Other points give another parametrized curve of the same degree: for $t=\frac s{1+s}$ the sum $\sum b_iB_i^n(t)$ of the differences, times
 $(1+s)^n$, is $\sum\binom nib_is^i$, and 0 only if all $b_i$ are (`bernstein_basis_is_independent` up to degree 8).
 :::
 
@@ -134,13 +136,15 @@ $(1+s)^n$, is $\sum\binom nib_is^i$, and 0 only if all $b_i$ are (`bernstein_bas
   sums_by_parts_give_the_edges linear_factor_adds_a_change_of_sign sign_changes_are_counted_one_by_one
 :confirmed-by: bernstein_is_symmetric bernstein_at_ends end_derivatives_are_end_differences bernstein_sums_to_one
   bernstein_positive_inside reversed_points_reverse_the_curve roots_are_at_most_sign_changes
-:meant: (19) and (20), which count changes of sign and parameters | Variation diminution counts crossings along the curve and along the polygon.
-:reading: linear_factor_adds_a_change_of_sign | crossings, counted along both
+:meant: the proof of property 3.6, which counts changes of sign along the polygon in (19) and parameters of the curve in (20) | Variation diminution counts crossings along the curve and along the polygon.
+:reading: linear_factor_adds_a_change_of_sign | crossings, counted along the curve and along the polygon
 :reading-with: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry sign_changes_are_counted_one_by_one
 :reading: self_crossing_polygon_has_fewer_points_on_a_line | common points counted as points of the plane: a polygon that crosses itself on the
   line may have fewer than its Bézier curve
 :hypothesis: double_end_point_has_no_end_edge | the end edges are not 0, for the tangency
 :figure: end_edges
+
+Bézier's name is printed Beizer in this sentence and twice more in the introduction.
 :::
 
 :::{claim} double_end_point_has_no_end_edge
@@ -260,12 +264,14 @@ CLAIM(degree_with_the_parameter_exceeds_that_of_the_polygon)
 :holds-by: two_middle_weights_give_two_arcs
 :confirmed-by: more_weight_moves_a_mean_to_its_point growing_weight_pulls_each_point_straight_to_the_vertex
 :meant: the word can (可以) | Some change of the weights changes the shape.
-:reading: weights_in_a_progression_keep_the_shape | read as "every change of the weights changes the shape": weights in a geometric progression may leave
-  the curve on the parabola of equal weights
-:reading: points_on_a_line_keep_their_segment | read in the same way, of points on a line: they may keep their segment
+:reading: weights_in_a_progression_keep_the_shape | read as "every change of the weights changes the shape": weights in a geometric progression may give
+  the arc that equal weights give
+:reading: points_on_a_line_keep_their_segment | read as "every change of the weights changes the shape", for points on a line: they may keep their
+  segment
 :figure: geometric_weights
 
 The sentence goes on that it is not clear yet how to choose the weights; that is an opinion, which no computation decides.
+It cites [10], whose first author is Mainar, printed Marnar.
 :::
 
 :::{claim} points_on_a_line_keep_their_segment
@@ -281,6 +287,17 @@ The sentence goes on that it is not clear yet how to choose the weights; that is
 :control: the middle point moved off the line
 :::
 */
+/* Does x = N/W grow on [0,1], with the numerator and the denominator of the rational curve of three points? */
+static int G(runs_forward)(const num P[], const num w[])
+{
+    num x[3];
+    for (int i = 0; i < 3; i++)
+        x[i] = mul(w[i], P[i * dim]);
+    poly N = poly_from_bernstein(2, x), W = poly_from_bernstein(2, w);
+    poly forward = poly_sub(poly_mul(poly_derivative(N), W), poly_mul(N, poly_derivative(W)));
+    return sign_on(forward, from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+}
+
 CLAIM(points_on_a_line_keep_their_segment)
 {
     num P[3 * dim], w[2][3], sign[2];
@@ -289,12 +306,7 @@ CLAIM(points_on_a_line_keep_their_segment)
     given_points(T, "w, the other curve", 3, 1, w[1]);
     int along = is_zero_q(P[1]) && is_zero_q(P[3]) && is_zero_q(P[5]);
     for (int k = 0; k < 2; k++) {
-        num above[3];
-        for (int i = 0; i < 3; i++)
-            above[i] = mul(w[k][i], P[i * dim]);
-        poly N = poly_from_bernstein(2, above), W = poly_from_bernstein(2, w[k]);
-        poly forward = poly_sub(poly_mul(poly_derivative(N), W), poly_mul(N, poly_derivative(W)));
-        int positive_everywhere = sign_on(forward, from_int(0), from_int(1), CLOSED) == SIGN_POSITIVE;
+        int positive_everywhere = G(runs_forward)(P, w[k]);
         sign[k] = from_int(positive_everywhere);
         along = along && positive_everywhere;
     }
@@ -305,17 +317,17 @@ CLAIM(points_on_a_line_keep_their_segment)
 
 /*
 :::{claim} weights_in_a_progression_keep_the_shape
-:title: Weights in a geometric progression leave a curve on the parabola of equal weights
-:zh: 等比权因子的曲线仍在同一抛物线上
+:title: Weights in a geometric progression give the same arc of a parabola as equal weights
+:zh: 等比权因子给出同一段抛物线弧
 :kind: counterexample
 :data: P = (0,0) (1,2) (2,0); w = 1 2 4
 :instead: w = 1 3 4
-:result: YW-2XW+X² = "0"
+:result: YW-2XW+X² = "0"; x' > 0 on [0,1] = "yes"
 :given: three points and weights in a geometric progression; with equal weights the curve of the points is an arc of the
   parabola $y=2x-x^2$
-:then: all points of the rational curve are on the same parabola
-:method: With $X,Y,W$ for numerators and denominator: $YW-2XW+X^2$ as a polynomial, which vanishes also for equal weights;
-  that it is not 0 is asked.
+:then: the rational curve is on the same parabola, and with both weights $x$ runs once and forward from $P_0$ to $P_2$: both are the same arc
+:method: With $X,Y,W$ for numerators and denominator: $YW-2XW+X^2$ as a polynomial, which vanishes also for equal weights, and the sign of $X'W-XW'$ on
+  the interval for both.  That one of these is not so is asked.
 :control: weights in no progression
 :::
 */
@@ -337,9 +349,11 @@ CLAIM(weights_in_a_progression_keep_the_shape)
     given_points(T, "P", 3, dim, P);
     given_points(T, "w", 3, 1, w);
     poly gap = G(off_the_parabola)(P, w);
+    int forward = G(runs_forward)(P, w) && G(runs_forward)(P, equal);
     found_text(T, "YW-2XW+X²", poly_to_string(gap, "t"));
-    about(T, "some point is not on the parabola");
-    refute(T, poly_is_zero(gap) && poly_is_zero(G(off_the_parabola)(P, equal)));
+    found_text(T, "x' > 0 on [0,1]", forward ? "yes" : "no");
+    about(T, "some point is not on the parabola, or one of the curves does not run once and forward");
+    refute(T, poly_is_zero(gap) && poly_is_zero(G(off_the_parabola)(P, equal)) && forward);
 }
 #endif
 

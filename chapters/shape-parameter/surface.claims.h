@@ -38,9 +38,12 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 :zh: 图 3 花瓣图形
 :printed: figure 3 shows the petals (花瓣图形) of the closed curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
 :reading: that they look like petals: the polygon is not given, so that nothing is there to be decided
+:reading: end_points_and_end_derivatives | that the curves are closed: for $P_0=P_7$ each of them begins and ends in this point, with the printed functions
+  and with the corrected ones
 :reading: printed_points_move_evenly_with_beta | with the printed functions, for any polygon, the points of one $t$ on the nine curves are on a
   straight line in equal distances, or are one point; which polygon it is, is not said
-:reading: points_move_evenly_with_beta | the same with the corrected functions
+:reading: points_move_evenly_with_beta | with the corrected functions, for any polygon, the points of one $t$ on the nine curves are on a straight line in
+  equal distances, or are one point
 :figure: petals
 :::
 
@@ -59,7 +62,7 @@ the point.  In the field this shows that the double sum (22) is what the kernel 
 :confirmed-by: surface_kernel_gives_the_double_sum
 :figure: shape_surface
 
-One parameter serves both directions; `shape_surface_point`, the kernel of the corrected functions, has one for each.  A coordinate of the
+One $\beta$ serves both directions.  A coordinate of the
 surface comes from that coordinate of the points alone, and so the same is true in every $\mathbb R^d$.
 :::
 */
@@ -71,9 +74,9 @@ static num G(any_beta)(trial *T) { return unknown(T, "beta", 0); }
 :title: The surface with the printed functions, row by row
 :zh: 按式 (1)、(22) 的曲面
 :given: the 64 nets of one point 1 and all others 0, any $\beta$, $u$ and $v$
-:then: `shape_point_printed` for the rows and then for the eight points of $v$ gives $\sum_i\sum_jP_{ij}\hat B_i(u)\hat
-  B_j(v)$
-:method: The printed formulas; $\beta$, $u$, $v$ are variables.  Both sides are linear in the points.
+:then: the points at $v$ of the printed curves of the eight rows are eight points whose printed curve has at $u$ the point
+  $\sum_i\sum_jP_{ij}\hat B_i(u)\hat B_j(v)$
+:method: `shape_point_printed` twice against the printed formulas; $\beta$, $u$, $v$ are variables.  Both sides are linear in the points.
 :degrees: 7..7
 :control: $u$ and $v$ exchanged
 :::
@@ -198,7 +201,7 @@ CLAIM(reversed_net_reverses_the_surface)
 :data: β = 1; P_{ij} for all i and j = 1; number of points = 64; u = 1/2; v = 1/2
 :result: surface at (u, v) = 961/1024
 :given: the right end of the range of $\beta$, one number for all $P_{ij}$, which may be a coordinate, and the middle of
-  the square
+  the square; printed functions
 :then: the surface has there another value than its points
 :method: The double sum of the printed functions.
 :control: the corrected functions
@@ -501,11 +504,12 @@ CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
 :hypothesis: surface_that_does_not_move | the net is not constant on four blocks, with the corrected functions, and not $k_ik_jw$, with the printed
   ones: these nets $P_{ij}$, the blocks being $i,j\le3$, $i\le3<j$, $j\le3<i$ and $i,j\ge4$, $k=(0,0,0,0,5,1,1,1)$ and $w$ any vector, have one
   surface for all $\beta$
-:meant: definition 5.1, in which both directions have one $\beta$ | One $\beta$ is taken in both directions.
+:meant: definition 5.1, in which both directions have one $\beta$ and the surface is a function of $u$ and $v$ | One $\beta$ is taken in both directions, and
+  surfaces are different when they are different functions of $u$ and $v$.
 :figure: shape_surface
 
-Decided is that the surface, with its parameters, is not the same for all $\beta$; single
-values of $\beta$ are not compared.
+Decided is that the surface is not the same for all $\beta$; single
+values of $\beta$ are not compared, nor the surfaces as sets of points.  The corrected functions are those of `sec-2-properties`.
 :::
 
 :::{claim} nets_that_do_not_move
@@ -621,8 +625,8 @@ number type that counts its operations.
 :zh: 海纳算法
 :printed: the curve takes more computation than the Bézier curve of degree seven, and can be computed by Horner's rule
 :holds-by: horner_rule_computes_the_curve degree_eight_takes_more_operations
-:hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed from their Bézier points, both by de
-  Casteljau's algorithm or both by Horner's rule: from nine points and from eight
+:hypothesis: horner_for_nine_points_beats_de_casteljau_for_eight | both curves are computed by the same algorithm, de Casteljau's
+  or Horner's rule: from their nine and their eight Bézier points
 :figure: operations_for_a_point
 :degree: 7
 
@@ -633,7 +637,7 @@ What it takes to find the nine points is not counted.
 :title: Horner's rule on the nine Bézier points gives the curve
 :zh: Horner 法则求曲线上的点
 :given: points $P_0,\dots,P_n$ of the plane, any $\beta$ and $t$; for $n=7$ the printed functions as well as the corrected ones
-:then: `bezier_horner` with the $n+2$ Bézier points of the curve, which the matrix of the functions gives, is $\sum P_iB_{i,n}(t)$
+:then: Horner's rule with the $n+2$ Bézier points of the curve, which the matrix of the functions gives, is $\sum P_iB_{i,n}(t)$
 :method: Kernels against the formula, everything a variable.
 :degrees: 2..7 sampled 14
 :control: $t$ and $1-t$ exchanged
@@ -680,7 +684,7 @@ static int products(struct operations cost) { return cost.multiplications + cost
 :zh: 八次曲线上点的运算次数多于七次
 :kind: decision
 :data: lower degree = 7; higher degree = 8
-:given: two degrees $n$, one to three coordinates $d$; `bezier_horner` and `bezier_casteljau`
+:given: two degrees $n$, one to three coordinates $d$; Horner's rule and de Casteljau's algorithm
 :then: with $n$ for the degree, Horner's rule takes $2(d+1)n$ products and $dn+1$ sums, de Casteljau's algorithm $dn(n+1)$ and
   half of $dn(n+1)$ plus $n$; all are more for the higher degree
 :method: The kernels are run in the number type that counts; products with powers of two are counted with the others.
@@ -714,7 +718,7 @@ CLAIM(degree_eight_takes_more_operations)
 :kind: counterexample
 :data: degree by Horner's rule = 8; degree by de Casteljau's algorithm = 7
 :result: products = 48 112; sums = 17 63
-:given: the plane; `bezier_horner` in the higher degree, `bezier_casteljau` in the lower one
+:given: the plane; Horner's rule in the higher degree, de Casteljau's algorithm in the lower one
 :then: the first takes fewer products and fewer sums than the second
 :method: The kernels are run in the number type that counts.
 :control: `bezier_casteljau` in both degrees
