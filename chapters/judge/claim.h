@@ -128,8 +128,9 @@ extern const role_form form_of_role[ROLES];
 typedef struct statement_link {
     role role;
     const char *claim, *place, *text;
-    const char *condition; /* of a hypothesis: what it asks, the first clause of the text; else NULL */
-    const char *letters;   /* of a reading: its own and those of its statement; else NULL            */
+    const char *
+        digest; /* of a hypothesis: what it asks, the first clause of the text; of a reading: its letters and those of its
+                         * statement, "t beta x"; else NULL */
 } statement_link;
 
 typedef struct statement {

@@ -108,8 +108,8 @@ static struct gathering gather_reading(const statement_link *reading, const clai
 finding finding_of_reading(const statement_link *reading, const claim_result *results, int count, const char *letter)
 {
     struct gathering g = gather_reading(reading, results, count);
-    if (reading->letters != NULL)
-        leave_letters(&g.scope, reading->letters);
+    if (reading->digest != NULL)
+        leave_letters(&g.scope, reading->digest);
     return found(&g, letter, 0);
 }
 
@@ -228,7 +228,7 @@ statement_result derive(const statement *s, const claim_result *results, int cou
         } else if (link->role == CITES) {
             weaken(truth, BY_ARGUMENT);
         } else if (link->role == HYPOTHESIS || link->role == NEEDS) {
-            add_condition(&truth->scope, link->condition);
+            add_condition(&truth->scope, link->digest);
         }
     if (s->letters != NULL) {
         leave_letters(&printed.scope, s->letters);

@@ -179,10 +179,10 @@ static void put_claims(FILE *out, const struct book *book)
 
 static void put_link(FILE *out, int r, const struct link *link, const char *letters)
 {
-    const char *condition = r == HYPOTHESIS || r == NEEDS ? first_clause(link->text) : NULL;
-    const char *const parts[] = {link->claim, link->place, link->text, condition, letters};
+    const char *digest = r == HYPOTHESIS || r == NEEDS ? first_clause(link->text) : letters;
+    const char *const parts[] = {link->claim, link->place, link->text, digest};
     fprintf(out, "    {%s", role_tags[r]);
-    for (int k = 0; k < 5; k++) {
+    for (int k = 0; k < 4; k++) {
         fputs(", ", out);
         if (parts[k] != NULL)
             put_string(out, parts[k]);
@@ -261,7 +261,7 @@ static void put_links(FILE *out, const struct book *book, const struct block *b,
                 put_link(out, r, &(struct link){word, NULL, whole_copy("")}, NULL);
         }
     }
-    fputs("    {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};\n", out);
+    fputs("    {HOLDS_BY, NULL, NULL, NULL, NULL}};\n", out);
 }
 
 /* What a statement calls the degree: the letter of its source, or, where the statement does not have it, what the source counts

@@ -152,48 +152,44 @@ enum { GOOD = 7 };
 #define LINKS(...)                                                                                                     \
     (const statement_link[])                                                                                           \
     {                                                                                                                  \
-        __VA_ARGS__, { HOLDS_BY, NULL, NULL, NULL, NULL, NULL }                                                        \
+        __VA_ARGS__, { HOLDS_BY, NULL, NULL, NULL, NULL }                                                              \
     }
 static const statement good_statements[] = {
     {STATEMENT("1", "book", 1, "", "", "As in [paper]", "picture"),
-     .links =
-         LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL, NULL}, {HOLDS_BY, "three_squared", NULL, "", NULL, NULL},
-               {CONFIRMED_BY, "sum_is_double", NULL, "", NULL, NULL})},
+     .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL}, {HOLDS_BY, "three_squared", NULL, "", NULL},
+                    {CONFIRMED_BY, "sum_is_double", NULL, "", NULL})},
     {STATEMENT("2", "book", 2, "misprint", "x = 3", "", ""), .striking = 1,
-     .links = LINKS({REFUTED_BY, "three_is_four", NULL, "", NULL, NULL},
-                    {CORRECTED_BY, "three_squared", NULL, "", NULL, NULL},
-                    {ARGUED, NULL, "every n", "because", NULL, NULL})},
-    {STATEMENT("3", "book", 3, "", "", "", ""),
-     .links = LINKS({HOLDS_BY, "sum_is_double", NULL, "", NULL, NULL},
-                    {HYPOTHESIS, "square_is_product", NULL, "$x = 0$", NULL, NULL},
-                    {HYPOTHESIS, "three_is_four", NULL, "$x > 0$", NULL, NULL},
-                    {NEEDS, "three_is_four", "page 7", "$y > 0$", NULL, NULL})},
+     .links = LINKS({REFUTED_BY, "three_is_four", NULL, "", NULL}, {CORRECTED_BY, "three_squared", NULL, "", NULL},
+                    {ARGUED, NULL, "every n", "because", NULL})},
+    {STATEMENT("3", "book", 3, "", "", "", ""), .links = LINKS({HOLDS_BY, "sum_is_double", NULL, "", NULL},
+                                                               {HYPOTHESIS, "square_is_product", NULL, "$x = 0$", NULL},
+                                                               {HYPOTHESIS, "three_is_four", NULL, "$x > 0$", NULL},
+                                                               {NEEDS, "three_is_four", "page 7", "$y > 0$", NULL})},
     {STATEMENT("longer-than-others", "book", 9, "", "", "", ""), .is_definition = 1,
-     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL, NULL})},
+     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL})},
     {STATEMENT("4", "paper", 4, "", "", "", ""), .is_definition = 1,
-     .links = LINKS({CHECKED_BY, "three_squared", NULL, "", NULL, NULL},
-                    {CITES, NULL, "[book], 5", "a theorem", NULL, NULL})},
+     .links = LINKS({CHECKED_BY, "three_squared", NULL, "", NULL}, {CITES, NULL, "[book], 5", "a theorem", NULL})},
     {STATEMENT("5", "paper", 5, "", "", "", ""), .is_definition = 1,
-     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL, NULL})},
+     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL})},
     {STATEMENT("6", "paper", 6, "", "", "", ""),
-     .links = LINKS({READING, "three_is_four", NULL, "one way", NULL, NULL},
-                    {READING, "square_is_product", NULL, "another way", NULL, NULL})},
-    {STATEMENT("7", "paper", 7, "", "", "", ""), .links = LINKS({HOLDS_BY, "sum_is_double", NULL, "", NULL, NULL},
-                                                                {READING, "three_is_four", NULL, "one way", NULL, NULL},
-                                                                {MEANT, NULL, "page 8", "the other", NULL, NULL})},
+     .links = LINKS({READING, "three_is_four", NULL, "one way", NULL},
+                    {READING, "square_is_product", NULL, "another way", NULL})},
+    {STATEMENT("7", "paper", 7, "", "", "", ""),
+     .links = LINKS({HOLDS_BY, "sum_is_double", NULL, "", NULL}, {READING, "three_is_four", NULL, "one way", NULL},
+                    {MEANT, NULL, "page 8", "the other", NULL})},
     {STATEMENT("8", "paper", 8, "false", "", "", ""), .striking = 2,
-     .links = LINKS({REFUTED_BY, "three_is_four", NULL, "", NULL, NULL})},
+     .links = LINKS({REFUTED_BY, "three_is_four", NULL, "", NULL})},
     {.id = NULL}};
 static const statement bad_statements[] = {
-    {STATEMENT("1", "book", 1, "", "", "", ""), .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL, NULL})},
-    {STATEMENT("2", "book", 2, "", "", "", ""), .links = LINKS({HOLDS_BY, "one_is_two", NULL, "", NULL, NULL})},
-    {STATEMENT("3", "book", 3, "", "", "", ""), .links = LINKS({HOLDS_BY, "nobody_knows", NULL, "", NULL, NULL})},
+    {STATEMENT("1", "book", 1, "", "", "", ""), .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL})},
+    {STATEMENT("2", "book", 2, "", "", "", ""), .links = LINKS({HOLDS_BY, "one_is_two", NULL, "", NULL})},
+    {STATEMENT("3", "book", 3, "", "", "", ""), .links = LINKS({HOLDS_BY, "nobody_knows", NULL, "", NULL})},
     {.id = NULL}};
 /* All claims do what they should, and a statement does not follow from them. */
 static const statement lost_statements[] = {
-    {STATEMENT("1", "book", 1, "", "", "", ""), .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL, NULL})},
-    {STATEMENT("2", "book", 2, "", "", "", ""), .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL, NULL},
-                                                               {HOLDS_BY, "missing", NULL, "", NULL, NULL})},
+    {STATEMENT("1", "book", 1, "", "", "", ""), .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL})},
+    {STATEMENT("2", "book", 2, "", "", "", ""),
+     .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL}, {HOLDS_BY, "missing", NULL, "", NULL})},
     {.id = NULL}};
 /* A claim in intervals alone; one whose control is not caught; one reading that words argue for; a class where nothing fails. */
 static void never_caught_q(trial *T) { agree(T, 1); }
@@ -205,8 +201,8 @@ static const claim few_claims[] = {
     {.name = NULL}};
 static const statement few_statements[] = {
     {STATEMENT("1", "book", 1, "misprint", "", "", ""),
-     .links = LINKS({READING, "square_is_product", "because it is so", "one way", NULL, NULL},
-                    {READING, "square_is_product", NULL, "another way", NULL, NULL})},
+     .links = LINKS({READING, "square_is_product", "because it is so", "one way", NULL},
+                    {READING, "square_is_product", NULL, "another way", NULL})},
     {.id = NULL}};
 /* What does not go into one line of a narrow terminal; outcomes of every kind; ranks with gaps, one of a statement that holds; the two ways to
  * refer to a source, and what is none; readings that nobody decided. */
@@ -230,41 +226,38 @@ static claim told_claims[] = {
     {TEXTS("nobody_knows", "two", 60), .body = {[FIELD_TYPE] = is_unable_f}},
     {TEXTS("never_caught", "two", 80), .body = {[RATIONAL_TYPE] = never_caught_q}},
     {.name = NULL}};
-#define FALSE_BY(name) LINKS({REFUTED_BY, name, NULL, "", NULL, NULL})
+#define FALSE_BY(name) LINKS({REFUTED_BY, name, NULL, "", NULL})
 static statement told_statements[] = {
     {STATEMENT("1", "book", 1, "false", "", "in a paper of [book], which is no paper", ""), .striking = 4,
      .links = FALSE_BY("three_is_four_once_more")},
     {STATEMENT("2", "book", 2, "missing-hypothesis", "", "as in [mypaper; paper]", ""),
      .links = FALSE_BY("three_is_four_in_whatever_way_it_is_counted")},
     {STATEMENT("third-of-all", "book", 3, "", "", "as in [paper-two] and in [paper", ""), .striking = 2,
-     .links = LINKS({HOLDS_BY, "powers_commute", NULL, "", NULL, NULL},
-                    {NEEDS, "three_is_four_once_more", "[paper], page 7", "$y > 0$", NULL, NULL},
-                    {CITES, NULL, "[edited], 5", "a theorem", NULL, NULL})},
+     .links = LINKS({HOLDS_BY, "powers_commute", NULL, "", NULL},
+                    {NEEDS, "three_is_four_once_more", "[paper], page 7", "$y > 0$", NULL},
+                    {CITES, NULL, "[edited], 5", "a theorem", NULL})},
     {STATEMENT("4", "book", 4, "invalid-proof", "", "", ""), .striking = 1,
      .links = FALSE_BY("three_is_four_in_whatever_way_it_is_counted")},
     {STATEMENT("6", "book", 6, "false", "", "", ""), .striking = 5, .links = FALSE_BY("three_has_two_results")},
     {STATEMENT("5", "book", 5, "", "", "", ""),
-     .links = LINKS({READING, "missing", "because it is so", "one way", NULL, NULL},
-                    {READING, "powers_commute", NULL, "another way", NULL, NULL},
-                    {READING, "missing", NULL, "a third way", NULL, NULL},
-                    {READING, "decided_in_double", "because it is so", "a fourth way", NULL, NULL})},
+     .links =
+         LINKS({READING, "missing", "because it is so", "one way", NULL},
+               {READING, "powers_commute", NULL, "another way", NULL}, {READING, "missing", NULL, "a third way", NULL},
+               {READING, "decided_in_double", "because it is so", "a fourth way", NULL})},
     {.id = NULL}};
 /* The entries of a table: one that holds, one with a misprint, one under a hypothesis, one that nobody decided, with a print of several lines. */
 static const statement table_statements[] = {
     {STATEMENT("table-row-1-1", "book", 1, "", "", "as in [book; paper] and by xpaper]", "picture"),
-     .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL, NULL})},
+     .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL})},
     {STATEMENT("table-row-1-2", "book", 2, "misprint", "x = 3", "not [mypaper], nor the book", ""), .striking = 1,
-     .links = LINKS({REFUTED_BY, "three_is_four", NULL, "", NULL, NULL},
-                    {CORRECTED_BY, "three_squared", NULL, "", NULL, NULL})},
+     .links = LINKS({REFUTED_BY, "three_is_four", NULL, "", NULL}, {CORRECTED_BY, "three_squared", NULL, "", NULL})},
     {STATEMENT("table-row-2-1", "book", 3, "", "y = 5", "", ""),
-     .links = LINKS({HOLDS_BY, "sum_is_double", NULL, "", NULL, NULL},
-                    {HYPOTHESIS, "three_is_four", NULL, "$x > 0$", NULL, NULL})},
+     .links = LINKS({HOLDS_BY, "sum_is_double", NULL, "", NULL}, {HYPOTHESIS, "three_is_four", NULL, "$x > 0$", NULL})},
     {STATEMENT("table-row-2-2, which is said in words that are longer than a line, so that what follows stands below "
                "them, and not below the verdict",
                "book", 4, "", "", "", ""),
-     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL, NULL})},
-    {STATEMENT("1", "edited", 5, "", "", "", ""),
-     .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL, NULL})},
+     .links = LINKS({HOLDS_BY, NULL, NULL, NULL, NULL})},
+    {STATEMENT("1", "edited", 5, "", "", "", ""), .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL})},
     {.id = NULL}};
 static const char *const printed_ids[] = {"book:table-row-1-2", "edited:1", "book:1", NULL}, *const every_ids[] = {
                                                                                                  "edited:1", NULL};

@@ -555,34 +555,32 @@ static statement_result derived(const statement_link links[])
     const statement s = {.id = "source:1", .links = links};
     return derive(&s, results, sizeof results / sizeof *results);
 }
-#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}})
+#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL}})
 
 static void verdicts_from_links(void **state)
 {
     (void)state;
     /* A link without a text, and one without a claim, are links. */
-    statement_result r =
-        derived(LINKS({HOLDS_BY, "proved", NULL, NULL, NULL, NULL}, {ARGUED, NULL, "", "words", NULL}));
+    statement_result r = derived(LINKS({HOLDS_BY, "proved", NULL, NULL, NULL}, {ARGUED, NULL, "", "words", NULL}));
     assert_int_equal(r.verdict, VERDICT_HOLDS);
     assert_int_equal(r.as_printed.evidence, BY_ARGUMENT);
     free_statement_result(&r);
-    r = derived(LINKS({HOLDS_BY, "proved", NULL, NULL, NULL, NULL}, {HOLDS_BY, "broken", NULL, NULL, NULL, NULL}));
+    r = derived(LINKS({HOLDS_BY, "proved", NULL, NULL, NULL}, {HOLDS_BY, "broken", NULL, NULL, NULL}));
     assert_int_equal(r.verdict, VERDICT_OPEN);
     free_statement_result(&r);
     /* The first that refutes speaks. */
-    r = derived(
-        LINKS({REFUTED_BY, "against", NULL, NULL, NULL, NULL}, {REFUTED_BY, "another", NULL, NULL, NULL, NULL}));
+    r = derived(LINKS({REFUTED_BY, "against", NULL, NULL, NULL}, {REFUTED_BY, "another", NULL, NULL, NULL}));
     assert_int_equal(r.verdict, VERDICT_FAILS);
     assert_ptr_equal(r.refuted_by, &results[1]);
     assert_string_equal(r.as_printed.scope, instance);
     free_statement_result(&r);
     /* What corrects is no reading that fails. */
-    r = derived(LINKS({HOLDS_BY, "proved", NULL, "", NULL, NULL}, {READING, "proved", NULL, "", NULL, NULL},
-                      {CORRECTED_BY, "against", NULL, "", NULL, NULL}));
+    r = derived(LINKS({HOLDS_BY, "proved", NULL, "", NULL}, {READING, "proved", NULL, "", NULL},
+                      {CORRECTED_BY, "against", NULL, "", NULL}));
     assert_int_equal(r.verdict, VERDICT_HOLDS);
     free_statement_result(&r);
     /* Nobody speaks for what is open. */
-    r = derived(LINKS({REFUTED_BY, "against", NULL, "", NULL, NULL}, {CORRECTED_BY, "broken", NULL, "", NULL, NULL}));
+    r = derived(LINKS({REFUTED_BY, "against", NULL, "", NULL}, {CORRECTED_BY, "broken", NULL, "", NULL}));
     assert_int_equal(r.verdict, VERDICT_OPEN);
     assert_false(r.as_expected);
     assert_null(r.refuted_by);
@@ -595,31 +593,29 @@ static void cases_that_words_add(void **state)
     (void)state;
     /* Each is told once; a claim without degrees stays behind nobody. */
     statement_result r =
-        derived(LINKS({HOLDS_BY, "induction", NULL, "", NULL, NULL}, {ARGUED, NULL, "every n", "words", NULL},
+        derived(LINKS({HOLDS_BY, "induction", NULL, "", NULL}, {ARGUED, NULL, "every n", "words", NULL},
                       {ARGUED, NULL, "n < 0", "words", NULL}));
     assert_string_equal(r.as_printed.argued_for, "every n; n < 0");
     assert_int_equal(r.as_printed.evidence, PROVED);
     free_statement_result(&r);
-    r = derived(LINKS({HOLDS_BY, "proved", NULL, "", NULL, NULL}, {ARGUED, NULL, "n > 7", "", NULL},
+    r = derived(LINKS({HOLDS_BY, "proved", NULL, "", NULL}, {ARGUED, NULL, "n > 7", "", NULL},
                       {ARGUED, NULL, "n < 0", "", NULL}, {ARGUED, NULL, "n > 7", "", NULL}));
     assert_string_equal(r.as_printed.argued_for, "n > 7; n < 0");
     free_statement_result(&r);
     /* One that stays behind is enough, wherever it stands. */
     for (int turned = 0; turned < 2; turned++) {
-        r = derived(turned ? LINKS({HOLDS_BY, "few_degrees", NULL, "", NULL, NULL},
-                                   {HOLDS_BY, "induction", NULL, "", NULL, NULL})
-                           : LINKS({HOLDS_BY, "induction", NULL, "", NULL, NULL},
-                                   {HOLDS_BY, "few_degrees", NULL, "", NULL, NULL}));
+        r = derived(turned ? LINKS({HOLDS_BY, "few_degrees", NULL, "", NULL}, {HOLDS_BY, "induction", NULL, "", NULL})
+                           : LINKS({HOLDS_BY, "induction", NULL, "", NULL}, {HOLDS_BY, "few_degrees", NULL, "", NULL}));
         assert_string_equal(r.as_printed.argued_for, "");
         assert_string_equal(r.as_printed.scope, "n = 2 to 4");
         free_statement_result(&r);
     }
     static char long_text[4001];
     memset(long_text, 'n', 4000);
-    r = derived(LINKS({HOLDS_BY, "induction", NULL, "", NULL, NULL}, {ARGUED, NULL, long_text, "", NULL}));
+    r = derived(LINKS({HOLDS_BY, "induction", NULL, "", NULL}, {ARGUED, NULL, long_text, "", NULL}));
     assert_int_equal(strlen(r.as_printed.argued_for), strlen("every n; ") + 4000);
     free_statement_result(&r);
-    r = derived(LINKS({HOLDS_BY, "induction", NULL, "", NULL, NULL}, {HOLDS_BY, "proved", NULL, "", NULL, NULL}));
+    r = derived(LINKS({HOLDS_BY, "induction", NULL, "", NULL}, {HOLDS_BY, "proved", NULL, "", NULL}));
     assert_string_equal(r.as_printed.argued_for, "every n");
     free_statement_result(&r);
 }

@@ -909,7 +909,7 @@ static void test_every_combination_of_roles(void **state)
                         links[count++] =
                             (statement_link){(role)k, name, form_of_role[k] == PLACE_TEXT ? "" : NULL, "", NULL};
                     }
-                links[count] = (statement_link){HOLDS_BY, NULL, NULL, NULL, NULL, NULL};
+                links[count] = (statement_link){HOLDS_BY, NULL, NULL, NULL, NULL};
                 statement_result r = verdict_of(links, is_definition);
                 assert_int_equal(r.as_expected, bad < 0);
                 assert_int_equal(r.verdict, bad < 0 ? expected_verdict(roles, is_definition) : VERDICT_OPEN);
@@ -945,7 +945,7 @@ static void test_evidence_is_that_of_the_weakest_claim(void **state)
                                         {CORRECTED_BY, orders[k][0], NULL, "", NULL},
                                         {CORRECTED_BY, orders[k][1], NULL, "", NULL},
                                         {CORRECTED_BY, orders[k][2], NULL, "", NULL},
-                                        {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+                                        {HOLDS_BY, NULL, NULL, NULL, NULL}};
         statement_result r = verdict_of(links, 0);
         assert_int_equal(r.verdict, VERDICT_HOLDS);
         assert_int_equal(r.as_printed.evidence, SAMPLED);
@@ -957,20 +957,20 @@ static void test_evidence_is_that_of_the_weakest_claim(void **state)
 static void test_readings(void **state)
 {
     (void)state;
-    const statement_link words[] = {{READING, NULL, NULL, "one way", NULL, NULL},
-                                    {READING, NULL, NULL, "another", NULL, NULL},
-                                    {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+    const statement_link words[] = {{READING, NULL, NULL, "one way", NULL},
+                                    {READING, NULL, NULL, "another", NULL},
+                                    {HOLDS_BY, NULL, NULL, NULL, NULL}};
     statement_result r = verdict_of(words, 0);
     assert_true(r.as_expected);
     assert_int_equal(r.verdict, VERDICT_UNDECIDED); /* a reading in words has no claim */
     free_statement_result(&r);
-    const statement_link none[] = {{HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+    const statement_link none[] = {{HOLDS_BY, NULL, NULL, NULL, NULL}};
     r = verdict_of(none, 0);
     assert_true(r.as_expected);
     assert_int_equal(r.verdict, VERDICT_OPEN);
     free_statement_result(&r);
     const statement_link good[] = {
-        {HOLDS_BY, "proved", NULL, "", NULL, NULL}, {READING, "sampled", NULL, "", NULL, NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+        {HOLDS_BY, "proved", NULL, "", NULL}, {READING, "sampled", NULL, "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL}};
     r = verdict_of(good, 0);
     assert_int_equal(r.verdict, VERDICT_HOLDS); /* no reading fails */
     free_statement_result(&r);
@@ -1094,7 +1094,7 @@ static void assert_finding(const char *letter, evidence e, const char *scope, co
     {                                                                                                                  \
         HOLDS_BY, name, NULL, "", NULL                                                                                 \
     }
-#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}})
+#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL}})
 
 static void test_the_scope_is_what_all_claims_have_in_common(void **state)
 {
@@ -1117,7 +1117,7 @@ static void test_the_scope_is_what_all_claims_have_in_common(void **state)
     assert_finding("n", SAMPLED, "n = 2 to 8; all points and weights, every β; 24 random instances", "",
                    LINKS(BY("plain"), BY("instances")));
     assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β", "",
-                   LINKS(BY("plain"), {CONFIRMED_BY, "instances", NULL, "", NULL, NULL}));
+                   LINKS(BY("plain"), {CONFIRMED_BY, "instances", NULL, "", NULL}));
 }
 
 /* Of two phrases that the chapters compare the narrower one is left, whichever comes first; a letter of which a phrase
@@ -1168,8 +1168,8 @@ static void test_claims_about_different_things_are_apart(void **state)
     assert_finding(
         "n", PROVED,
         "n = 1 to 3; each step for its own cases (every pattern of knots; 0 < t < 1), where β ≠ 0, and P is not 0", "",
-        LINKS(BY("patterns"), BY("said"), {HYPOTHESIS, NULL, NULL, "β ≠ 0: why", "β ≠ 0", NULL},
-              {NEEDS, NULL, "here", "P is not 0", "P is not 0", NULL})); /* hypotheses are asked of all steps */
+        LINKS(BY("patterns"), BY("said"), {HYPOTHESIS, NULL, NULL, "β ≠ 0: why", "β ≠ 0"},
+              {NEEDS, NULL, "here", "P is not 0", "P is not 0"})); /* hypotheses are asked of all steps */
     assert_finding("n", SAMPLED,
                    "n = 1 to 3; each step for its own cases (every pattern of knots; 0 < t < 1); 24 random instances",
                    "", LINKS(BY("patterns"), BY("said"), BY("instances")));
@@ -1183,7 +1183,7 @@ static void test_data_that_nobody_has_together_are_told_by_step(void **state)
     assert_finding("n", PROVED, "n = 1 to 6; simple knots; all points; each step for its own other data", "",
                    LINKS(BY("shifts"), BY("weighted")));
     assert_finding("n", PROVED, "n = 1 to 6; simple knots; all points; each step for its own other data, where P ≠ 0",
-                   "", LINKS(BY("weighted"), BY("shifts"), {NEEDS, NULL, "", "why", "P ≠ 0", NULL}));
+                   "", LINKS(BY("weighted"), BY("shifts"), {NEEDS, NULL, "", "why", "P ≠ 0"}));
     assert_finding("n", PROVED, "n = 1 to 4; 0 ≤ t ≤ 1; all weights, points and shifts, every γ", "",
                    LINKS(BY("closed"), BY("letters"))); /* of t a phrase speaks */
     assert_finding("n", PROVED, "n = 2 to 8; each step for its own data", "", LINKS(BY("plain"), BY("others")));
@@ -1210,24 +1210,24 @@ static void test_conditions_reach_the_verdict(void **state)
     assert_finding("n", PROVED, both, "", LINKS(BY("nonzero"), BY("regular"))); /* the narrower one of two is left */
     assert_finding("n", PROVED, both, "", LINKS(BY("regular"), BY("nonzero")));
     assert_finding("n", PROVED, "n = 2 to 6; simple knots; all points, all positive weights, every t and β", "",
-                   LINKS(BY("weighted"), BY("plain"), {CONFIRMED_BY, "regular", NULL, "", NULL, NULL}));
+                   LINKS(BY("weighted"), BY("plain"), {CONFIRMED_BY, "regular", NULL, "", NULL}));
     assert_finding("n", PROVED, "n = 1 to 4; all weights, where P ≠ 0, and 0 < t < 1", "",
-                   LINKS(BY("regular"), {HYPOTHESIS, NULL, NULL, "P is not 0", NULL, NULL})); /* the condition is named */
+                   LINKS(BY("regular"), {HYPOTHESIS, NULL, NULL, "P is not 0", NULL})); /* the condition is named */
     assert_finding("n", PROVED, "0 < t < 1; all weights, where P ≠ 0", "",
-                   LINKS(BY("inside"), {NEEDS, NULL, "", "", "$0<t<1$", NULL}, {NEEDS, NULL, "", "", "P ≠ 0", NULL})); /* said */
+                   LINKS(BY("inside"), {NEEDS, NULL, "", "", "$0<t<1$"}, {NEEDS, NULL, "", "", "P ≠ 0"})); /* said */
     assert_finding("n", PROVED, "n = 1 to 4; 0 ≤ t ≤ 1; all weights", "",
-                   LINKS(BY("closed"), {NEEDS, NULL, "", "", "$0\\le t\\le1$", NULL}));
+                   LINKS(BY("closed"), {NEEDS, NULL, "", "", "$0\\le t\\le1$"}));
     assert_finding(
         "n", PROVED, "0 < t < 1; all weights", "",
-        LINKS(BY("inside"), {NEEDS, NULL, "", "", "0 ≤ t ≤ 1", NULL})); /* by the table it is wider than what is said */
+        LINKS(BY("inside"), {NEEDS, NULL, "", "", "0 ≤ t ≤ 1"})); /* by the table it is wider than what is said */
     assert_finding("n", PROVED, "0 < t < 1; all weights, where $0<t\\le1$, and $0<t<12$, and $0<t$", "",
-                   LINKS(BY("inside"), {NEEDS, NULL, "", "", "$0<t\\le1$", NULL}, {NEEDS, NULL, "", "", "$0<t<12$", NULL},
-                         {NEEDS, NULL, "", "", "$0<t$", NULL}));
+                   LINKS(BY("inside"), {NEEDS, NULL, "", "", "$0<t\\le1$"}, {NEEDS, NULL, "", "", "$0<t<12$"},
+                         {NEEDS, NULL, "", "", "$0<t$"}));
     for (int k = 0; k < 2; k++) /* positive weights meet what is within it, whichever is told first */
         assert_finding("n", PROVED, "0 < t < 1; all positive weights, where Q ≠ 0", "",
                        LINKS(BY("inside"), {NEEDS, NULL, "", "", k ? "P ≠ 0" : "the weights are positive"},
                              {NEEDS, NULL, "", "", k ? "the weights are positive" : "P ≠ 0"},
-                             {NEEDS, NULL, "", "", "Q ≠ 0", NULL}));
+                             {NEEDS, NULL, "", "", "Q ≠ 0"}));
     assert_finding("n", DECIDED, "where P ≠ 0", "", LINKS(BY("bare")));
     assert_finding("n", DECIDED, "n = 1 to 4; where P ≠ 0", "every n", LINKS(BY("bare"), BY("stretched")));
     assert_finding(
@@ -1253,23 +1253,23 @@ static void test_data_within_hypotheses(void **state)
 {
     (void)state;
     assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β, where β ≠ 0", "",
-                   LINKS(BY("plain"), {HYPOTHESIS, NULL, NULL, "β ≠ 0: why", "β ≠ 0", NULL}));
+                   LINKS(BY("plain"), {HYPOTHESIS, NULL, NULL, "β ≠ 0: why", "β ≠ 0"}));
     assert_finding("n", PROVED, "n = 2 to 8; all points, all positive weights, every β", "",
-                   LINKS(BY("plain"), {NEEDS, NULL, "page 1", "", "the weights are positive", NULL}));
+                   LINKS(BY("plain"), {NEEDS, NULL, "page 1", "", "the weights are positive"}));
     assert_finding("n", PROVED, "n = 2 to 8; all points and weights, every β, where the weights are positive there", "",
-                   LINKS(BY("plain"), {NEEDS, NULL, "page 1", "", "the weights are positive there", NULL}));
+                   LINKS(BY("plain"), {NEEDS, NULL, "page 1", "", "the weights are positive there"}));
     assert_finding("n", PROVED, "n = 2 to 8; all points and weights, where $\\beta>0$, and $t_0<t_1$", "",
-                   LINKS(BY("plain"), {NEEDS, NULL, "", "", "$\\beta>0$", NULL}, {NEEDS, NULL, "", "", "$t_0<t_1$", NULL},
-                         {NEEDS, NULL, "", "", "$\\beta>0$", NULL}));
+                   LINKS(BY("plain"), {NEEDS, NULL, "", "", "$\\beta>0$"}, {NEEDS, NULL, "", "", "$t_0<t_1$"},
+                         {NEEDS, NULL, "", "", "$\\beta>0$"}));
     assert_finding("n", PROVED, "n = 1 to 4; where the weights are positive", "every n",
-                   LINKS(BY("stretched"), {NEEDS, NULL, "", "", "the weights are positive", NULL}));
+                   LINKS(BY("stretched"), {NEEDS, NULL, "", "", "the weights are positive"}));
     assert_finding("n", PROVED,
                    "n = 1 to 3; each step for its own cases (every pattern of knots; 0 < t < 1), where t > 0", "",
-                   LINKS(BY("patterns"), BY("said"), {NEEDS, NULL, "", "", "t > 0", NULL}));
-    const statement_link refuted[] = {{REFUTED_BY, "against", NULL, "", NULL, NULL},
-                                      {CORRECTED_BY, "plain", NULL, "", NULL, NULL},
-                                      {NEEDS, NULL, "", "", "P ≠ 0", NULL},
-                                      {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+                   LINKS(BY("patterns"), BY("said"), {NEEDS, NULL, "", "", "t > 0"}));
+    const statement_link refuted[] = {{REFUTED_BY, "against", NULL, "", NULL},
+                                      {CORRECTED_BY, "plain", NULL, "", NULL},
+                                      {NEEDS, NULL, "", "", "P ≠ 0"},
+                                      {HOLDS_BY, NULL, NULL, NULL, NULL}};
     claim_result all[sizeof scoped / sizeof *scoped + 1];
     memcpy(all, scoped, sizeof scoped);
     all[sizeof scoped / sizeof *scoped] = (claim_result){
@@ -1363,9 +1363,9 @@ static void test_the_finding_of_a_reading(void **state)
     (void)state;
     const int count = sizeof scoped / sizeof *scoped;
     const char *first = scoped[1].claim->name, *second = scoped[4].claim->name, *third = scoped[3].claim->name;
-    const statement_link links[] = {{READING, first, NULL, "one way", NULL, NULL},   {READING_WITH, second, NULL, "", NULL, NULL},
-                                    {READING_WITH, first, NULL, "", NULL, NULL},     {READING, third, NULL, "another", NULL, NULL},
-                                    {READING_WITH, "missing", NULL, "", NULL, NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+    const statement_link links[] = {{READING, first, NULL, "one way", NULL},   {READING_WITH, second, NULL, "", NULL},
+                                    {READING_WITH, first, NULL, "", NULL},     {READING, third, NULL, "another", NULL},
+                                    {READING_WITH, "missing", NULL, "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL}};
     finding two = finding_of_reading(links, scoped, count, "n"), alone = finding_of(&scoped[1], "n");
     assert_int_equal(two.evidence, BY_ARGUMENT);
     assert_string_not_equal(two.scope, "");
@@ -1392,10 +1392,10 @@ static void test_claims_without_a_common_case(void **state)
     assert_int_equal(r.verdict, VERDICT_OPEN);
     assert_string_equal(r.as_printed.scope, "no n");
     free_statement_result(&r);
-    const statement_link links[] = {{READING, "stretched", NULL, "one way", NULL, NULL}, /* nor may a reading be so */
-                                    {READING_WITH, "high", NULL, "", NULL, NULL},
-                                    {READING, "stretched", NULL, "another", NULL, NULL},
-                                    {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+    const statement_link links[] = {{READING, "stretched", NULL, "one way", NULL}, /* nor may a reading be so */
+                                    {READING_WITH, "high", NULL, "", NULL},
+                                    {READING, "stretched", NULL, "another", NULL},
+                                    {HOLDS_BY, NULL, NULL, NULL, NULL}};
     const statement read = {.id = "source:2", .links = links}, alone = {.id = "source:3", .links = links + 2};
     r = derive(&read, scoped, sizeof scoped / sizeof *scoped);
     assert_false(r.as_expected);
@@ -1417,9 +1417,9 @@ static void test_arguments(void **state)
                    LINKS(BY("stretched"), BY("plain"), {ARGUED, NULL, "n > 9", "text", NULL}));
     assert_finding("n", BY_ARGUMENT, "n = 1 to 4", "", LINKS(BY("worded")));
     assert_finding("n", BY_ARGUMENT, "n = 7 to 8", "", LINKS(BY("high"), {ARGUED, NULL, "", "text", NULL}));
-    assert_finding("n", BY_ARGUMENT, "n = 7 to 8", "", LINKS(BY("high"), {CITES, NULL, "place", "text", NULL, NULL}));
+    assert_finding("n", BY_ARGUMENT, "n = 7 to 8", "", LINKS(BY("high"), {CITES, NULL, "place", "text", NULL}));
     assert_finding("n", SAMPLED, "24 random instances", "",
-                   LINKS(BY("instances"), {CITES, NULL, "place", "text", NULL, NULL}));
+                   LINKS(BY("instances"), {CITES, NULL, "place", "text", NULL}));
 }
 
 static void test_a_claim_that_needs_words_is_argued(void **state)

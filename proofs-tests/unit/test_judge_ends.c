@@ -338,9 +338,9 @@ static void of_instances_the_fewest_are_told(void **state)
 {
     (void)state;
     for (int turned = 0; turned < 2; turned++) {
-        const statement_link links[] = {{HOLDS_BY, turned ? "many" : "few", NULL, "", NULL, NULL},
-                                        {HOLDS_BY, turned ? "few" : "many", NULL, "", NULL, NULL},
-                                        {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+        const statement_link links[] = {{HOLDS_BY, turned ? "many" : "few", NULL, "", NULL},
+                                        {HOLDS_BY, turned ? "few" : "many", NULL, "", NULL},
+                                        {HOLDS_BY, NULL, NULL, NULL, NULL}};
         const statement s = {.id = "source:1", .links = links};
         statement_result r = derive(&s, results, RESULTS);
         assert_string_equal(r.as_printed.scope, "12 random instances");
@@ -351,10 +351,10 @@ static void of_instances_the_fewest_are_told(void **state)
 static void a_correction_needs_a_case(void **state)
 {
     (void)state;
-    const statement_link links[] = {{REFUTED_BY, "against", NULL, "", NULL, NULL},
-                                    {CORRECTED_BY, "low", NULL, "", NULL, NULL},
-                                    {CORRECTED_BY, "high", NULL, "", NULL, NULL},
-                                    {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+    const statement_link links[] = {{REFUTED_BY, "against", NULL, "", NULL},
+                                    {CORRECTED_BY, "low", NULL, "", NULL},
+                                    {CORRECTED_BY, "high", NULL, "", NULL},
+                                    {HOLDS_BY, NULL, NULL, NULL, NULL}};
     const statement s = {.id = "source:1", .links = links};
     statement_result r = derive(&s, results, RESULTS);
     assert_false(r.as_expected);
@@ -384,9 +384,9 @@ static void letters_of_the_degree(void **state)
             const claim c[] = {{.name = "one", .scope = "", .letter = letter[one]},
                                {.name = "other", .scope = "", .letter = letter[other]}};
             const claim_result r[] = {IN_FIELD(c[0], 1, 4), IN_FIELD(c[1], 2, 9)};
-            const statement_link links[] = {{HOLDS_BY, "one", NULL, "", NULL, NULL},
-                                            {HOLDS_BY, "other", NULL, "", NULL, NULL},
-                                            {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+            const statement_link links[] = {{HOLDS_BY, "one", NULL, "", NULL},
+                                            {HOLDS_BY, "other", NULL, "", NULL},
+                                            {HOLDS_BY, NULL, NULL, NULL, NULL}};
             const statement s = {.id = "source:1", .links = links};
             statement_result both = derive(&s, r, 2);
             assert_string_equal(both.as_printed.scope, "n = 2 to 4");
@@ -647,8 +647,8 @@ static void links_are_a_list(void **state)
     (void)state;
     for (int first = 0; first < ROLES; first++) {
         const statement_link links[] = {{(role)first, "against", "", "", NULL},
-                                        {HOLDS_BY, "low", "", "", NULL, NULL},
-                                        {HOLDS_BY, NULL, NULL, NULL, NULL, NULL}};
+                                        {HOLDS_BY, "low", "", "", NULL},
+                                        {HOLDS_BY, NULL, NULL, NULL, NULL}};
         const statement s = {.id = "source:1", .class = "", .corrected = "", .links = links};
         statement_result r = derive(&s, results, RESULTS);
         char *text = certificate_of_statement(&r);
