@@ -230,7 +230,7 @@ class Good(Weaving):
         text = self.register()
         for link in ('{HOLDS_BY, "sum_is_zero", NULL, "", NULL}', '{NEEDS, "ratio_fails", "section 1", "a hypothesis that is stated", "a hypothesis that is stated"}',
                      '{HYPOTHESIS, "ratio_fails", NULL, "$a:b$ is less.b; as a sentence says", "$a:b$ is less.b"}',
-                     '{READING, NULL, NULL, "a way to read it", NULL}',
+                     '{READING, NULL, NULL, "a way to read it", "a b c"}',
                      '{MEANT, NULL, "the title", "what is meant", NULL}', '{CONFIRMED_BY, "range_is_decided", NULL, "", NULL}',
                      '{ARGUED, NULL, "every n", "by induction", NULL}', '{CITES, NULL, "a book", "a theorem", NULL}',
                      '{REFUTED_BY, "ratio_fails", NULL, "", NULL}', '{CORRECTED_BY, "sum_is_zero", NULL, "", NULL}',
