@@ -54,7 +54,7 @@ static char *known_of_reading(const statement *s, const statement_link *reading,
             abort();
         return text;
     }
-    finding f = finding_of_reading(reading, results, count, s->letter);
+    finding f = finding_of_reading(s, reading, results, count);
     f.evidence = reading->place != NULL && f.evidence > BY_ARGUMENT ? BY_ARGUMENT : f.evidence;
     text = finding_words(&f);
     free_finding(&f);

@@ -137,10 +137,9 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
                 words, json_pack("{s:s, s:s, s:s}", "is", role_key[l->role], "place", l->place, "text", l->text));
         if (l->role == READING)
             json_array_append_new(
-                readings,
-                with_finding(json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim, "outcome",
-                                       c != NULL ? outcome_name[c->outcome] : "not decided"),
-                             c != NULL ? finding_of_reading(l, results, count, s->letter) : (finding){0}, l->place));
+                readings, with_finding(json_pack("{s:s, s:s*, s:s}", "reading", l->text, "claim", l->claim, "outcome",
+                                                 c != NULL ? outcome_name[c->outcome] : "not decided"),
+                                       c != NULL ? finding_of_reading(s, l, results, count) : (finding){0}, l->place));
         if (l->role == READING_WITH) {
             json_t *reading = json_array_get(readings, json_array_size(readings) - 1);
             if (json_object_get(reading, "with") == NULL)

@@ -82,7 +82,7 @@ void free_statement_result(statement_result *r);
  * is in it: free_finding. */
 finding finding_of(const claim_result *c, const char *letter);
 /* The same of a reading, by its claim and those behind it that decide it, too. */
-finding finding_of_reading(const statement_link *reading, const claim_result *results, int count, const char *letter);
+finding finding_of_reading(const statement *s, const statement_link *reading, const claim_result *results, int count);
 void free_finding(finding *f);
 /* "proved for n = 1 to 6; argued for every n", "argued for every n; computed for n = 1 to 6": in words; "" without evidence.
  * The caller frees. */

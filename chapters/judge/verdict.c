@@ -105,12 +105,14 @@ static struct gathering gather_reading(const statement_link *reading, const clai
     return g;
 }
 
-finding finding_of_reading(const statement_link *reading, const claim_result *results, int count, const char *letter)
+finding finding_of_reading(const statement *s, const statement_link *reading, const claim_result *results, int count)
 {
     struct gathering g = gather_reading(reading, results, count);
     if (reading->digest != NULL)
         leave_letters(&g.scope, reading->digest);
-    return found(&g, letter, 0);
+    if (s->degree > 0)
+        keep_degree(&g.scope, s->degree);
+    return found(&g, s->letter, 0);
 }
 
 /* Whether the claims of a reading have no case in common. */

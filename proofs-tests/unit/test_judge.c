@@ -1366,18 +1366,30 @@ static void test_the_finding_of_a_reading(void **state)
     const statement_link links[] = {{READING, first, NULL, "one way", NULL},   {READING_WITH, second, NULL, "", NULL},
                                     {READING_WITH, first, NULL, "", NULL},     {READING, third, NULL, "another", NULL},
                                     {READING_WITH, "missing", NULL, "", NULL}, {HOLDS_BY, NULL, NULL, NULL, NULL}};
-    finding two = finding_of_reading(links, scoped, count, "n"), alone = finding_of(&scoped[1], "n");
+    const statement s = {.id = "source:1", .letter = "n", .links = links};
+    finding two = finding_of_reading(&s, links, scoped, count), alone = finding_of(&scoped[1], "n");
     assert_int_equal(two.evidence, BY_ARGUMENT);
     assert_string_not_equal(two.scope, "");
     assert_int_equal(alone.evidence, PROVED);
     free_finding(&alone);
     free_finding(&two);
-    finding one = finding_of_reading(links + 3, scoped, count, "n"), same = finding_of(&scoped[3], "n");
+    finding one = finding_of_reading(&s, links + 3, scoped, count), same = finding_of(&scoped[3], "n");
     assert_int_equal(one.evidence, same.evidence);
     assert_string_equal(one.scope, same.scope);
     free_finding(&one);
     free_finding(&same);
-    const statement s = {.id = "source:1", .links = links};
+    /* of its letters and those of its statement, in the only degree of that; without letters all are told */
+    static const char *const of_letters[][2] = {{"n t", "n = 4; all points and weights"},
+                                                {"n beta", "n = 4; all points and weights, every β"},
+                                                {NULL, "n = 4; all points and weights, every β"}};
+    for (int k = 0; k < 3; k++) {
+        const statement_link lettered[] = {{READING, first, NULL, "one way", of_letters[k][0]},
+                                           {HOLDS_BY, NULL, NULL, NULL, NULL}};
+        const statement of_four = {.id = "source:4", .letter = "n", .degree = 4, .links = lettered};
+        finding f = finding_of_reading(&of_four, lettered, scoped, count);
+        assert_string_equal(f.scope, of_letters[k][1]);
+        free_finding(&f);
+    }
     statement_result r = derive(&s, scoped, count); /* a claim that is missing */
     assert_false(r.as_expected);
     free_statement_result(&r);
