@@ -814,6 +814,7 @@ CLAIM(beta_zero_gives_bernstein_polynomials)
 :title: The picture of the eight functions for beta = -1
 :zh: 图 1
 :printed: figure 1 shows the eight functions for $\beta=-1$
+:degree: 7
 :reading: that these functions, and which of the two, are drawn: the figure is not in the text that was examined, so that nothing is there to be
   decided
 :reading: printed_sum_in_closed_form | that the eight functions of the figure, if they are those of (1) as printed, have the sum $1+4(1-t)^3t^4$

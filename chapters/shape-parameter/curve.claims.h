@@ -190,6 +190,7 @@ all.  A polygon that has no other edge gives one curve for all $\beta$, and this
 :title: The curves of several beta from right to left
 :zh: 图 2
 :printed: figure 2 shows, from right to left, the curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
+:degree: 7
 :reading: that this order is from right to left: the polygon is not given, so that nothing is there to be decided
 :reading: printed_points_move_evenly_with_beta | that the order is that of $\beta$, with the printed functions: for each $t$ the points of the nine curves stand on a straight
   line in this order, in equal distances, or are one point; which end is the right one is a matter of the polygon

@@ -37,6 +37,7 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 :title: The petals of closed curves
 :zh: 图 3 花瓣图形
 :printed: figure 3 shows the petals (花瓣图形) of the closed curves for $\beta=1,0,-1,-2,-3,-4,-5,-6,-7$
+:degree: 7
 :reading: that they look like petals: the polygon is not given, so that nothing is there to be decided
 :reading: end_points_and_end_derivatives | that the curves are closed: for $P_0=P_7$ each of them begins and ends in this point, with the printed functions
   and with the corrected ones
