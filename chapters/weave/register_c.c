@@ -204,7 +204,7 @@ static int is_index_of_sum(const char *text, const char *letter)
     return 0;
 }
 
-/* Adds the letters of the formulas in a text, each once: "t", "beta" for \beta.  A text without dollar signs is a formula if it has
+/* Adds the letters of the formulas in a text, each once: "t", "beta" for \beta; t_i is another one.  A text without dollar signs is a formula if it has
  * any sign of one, and three letters in a row are a word.  The index of a sum is no letter of its formula from there on. */
 static char *with_letters(char *letters, const char *text)
 {
@@ -221,7 +221,8 @@ static char *with_letters(char *letters, const char *text)
             char *letter = copy_of(name + k, is_command ? n : 1);
             if (!is_command && k == 0 && is_index_of_sum(text, name))
                 indices = joined(indices, ' ', letter);
-            if (!has_word(letters, letter) && !has_word(indices, letter))
+            int has_index = name[k + strlen(letter)] == '_';
+            if (!has_index && !has_word(letters, letter) && !has_word(indices, letter))
                 letters = joined(letters, ' ', letter);
         }
         at = n > 0 ? name + n - 1 : at;
