@@ -283,10 +283,12 @@ CLAIM(family_moves_with_its_points)
 :confirmed-by: first_level_condition_factors
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$; as for (4.3.9)
 :hypothesis: solutions_at_a_cusp_have_one_point | $\mathbf r^{[k-1]}$ is not constant on the solution; as for (4.3.9)
+:hypothesis: folded_line_has_another_solution | $\tau$ is not constant on the solution; as for (4.3.9)
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each; for $\tau=\tau(t)$ see (4.3.10).
 :figure: nurbs_second_line
 
-(4.3.13) is the third coordinate of (4.3.9), the two others being 0.
+(4.3.13) is the third coordinate of (4.3.9), the two others being 0.  On the lines $t=t_0$ of the first two examples $\tau$ is no function of $t$; where only continuous functions
+$\tau=\tau(t)$ are looked for, these lines are left out, and if the segment is not straight $\tau=t$ is the only solution, see `thm-4.3.2-otherwise`.
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-plane-condition
