@@ -38,8 +38,8 @@ vanishing curvature or torsion, and its members have them.
   $\ne0$ everywhere: a counterexample for $k=7$, $r=3$
 :reading: solution_over_the_whole_span | only functions $\tau=\tau(t)$ defined on the whole span, as (4.3.16) may be
   meant: a counterexample for $k=6$, $r=3$, with an inflection
-:reading: span_derivatives_are_parallel | the same, in plane or space, with $\mathbf r'\times\mathbf r''\ne0$ on the
-  closed span and $\tau(t)$ continuous on it | Beside $\tau=t$ the condition is $R'\times R''=0$ for the member of the level before, as what is corrected says;
+:reading: span_derivatives_are_parallel | only functions $\tau=\tau(t)$ that are continuous on the closed span, with values in it, for
+  curves of plane or space with $\mathbf r'\times\mathbf r''\ne0$ on it | Beside $\tau=t$ the condition is $R'\times R''=0$ for the member of the level before, as what is corrected says;
   on the diagonal its derivatives are parallel to those of the curve, so that $R'\times R''$ is $\mathbf r'\times\mathbf r''$ times a factor which is not 0
   (`curvatures_have_a_fixed_ratio`).  So about a point of the diagonal $\tau=t$ is the only solution.  A continuous $\tau(t)$ of the closed span into itself has a
   point $\tau(t)=t$; the set of such points is closed in the span, and by what was said open in it: it is the whole span.

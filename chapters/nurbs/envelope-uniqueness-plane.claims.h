@@ -283,10 +283,12 @@ CLAIM(family_moves_with_its_points)
 :confirmed-by: first_level_condition_factors
 :hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$; as for (4.3.9)
 :hypothesis: solutions_at_a_cusp_have_one_point | $\mathbf r^{[k-1]}$ is not constant on the solution; as for (4.3.9)
+:hypothesis: folded_line_has_another_solution | $\tau$ is not constant on the solution; as for (4.3.9)
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each; for $\tau=\tau(t)$ see (4.3.10).
 :figure: nurbs_second_line
 
-(4.3.13) is the third coordinate of (4.3.9), the two others being 0.
+(4.3.13) is the third coordinate of (4.3.9), the two others being 0.  On the lines $t=t_0$ of the first two examples $\tau$ is no function of $t$; where only continuous functions
+$\tau=\tau(t)$ are looked for, these lines are left out, and if the segment is not straight $\tau=t$ is the only solution, see `thm-4.3.2-otherwise`.
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-plane-condition
@@ -416,7 +418,8 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :figure: nurbs_folded_line
 
 Members may have points that $\mathbf r$ has not: in both examples there is one.  In the first $\mathbf r'\ne0$ on the closed span, and $\mathbf r$ runs
-through its segment once.
+through its segment once; the pair is on the line $t=0$, on which $\tau$ varies and the point moves, so that no hypothesis of `formula-4.3.9` is violated.  The second is
+a constant $\tau(t)$, one member: a joint solution, too, but no curve that passes from member to member.
 :::
 
 Even the straight segment is not as harmless as it looks.  If all members are on a line, every pair satisfies the

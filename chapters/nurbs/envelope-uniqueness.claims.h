@@ -63,13 +63,14 @@ its pairs have the point $\mathbf r(t_0)$.
   member may have another direction
 :hypothesis: solutions_at_a_cusp_have_one_point | $\mathbf r^{[k-1]}$ is not constant on the solution: at a cusp $t_0$ of the curve the pairs of the line $t=t_0$
   satisfy the condition and have one point, which is no curve
+:hypothesis: folded_line_has_another_solution | $\tau$ is not constant on the solution: on a straight segment every pair satisfies the condition, and a constant $\tau$
+  gives one member, which does not pass from member to member and may have points that $\mathbf r$ has not
 :meant: the usual notion of an envelope, as [18] is not at hand | A curve $\mathbf r^{[k-1]}(t(s),\tau(s))$ that passes from member to member, $\tau'\ne0$, and is tangent
   to each member where it passes it.
 :figure: nurbs_second_line
 
-The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$ and the curve is not one point.
-That $\tau$ is not constant on the solution, as has to be asked for in (4.3.15), need not be asked for here: the solutions are the diagonal and
-lines $t=t_0$, see `formula-4.3.10`.
+The condition is necessary for every such curve, and sufficient where $\partial_t\mathbf r^{[k-1]}\ne0$ and the curve is neither one point nor one
+member.  One member it can be on a straight segment only: on others the solutions are the diagonal and single lines $t=t_0$, see `formula-4.3.10`.
 :::
 
 :::{claim} touching_curve_satisfies_the_condition
@@ -649,8 +650,8 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :zh: 第二种情形:混合积之和
 :printed: \tau(t)=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
 :holds-by: triple_product_is_that_of_the_point
-:reading: triple_product_is_that_of_the_point | from the equation before it, that of `thm-4.3.2-dot`
-:reading: first_level_condition_factors | for the joint solutions of (4.3.3) and (4.3.9) | For $\tau\ne t$ the condition says $\mathbf r'\times\mathbf r''=0$, so that each term of the sum is 0.
+:reading: triple_product_is_that_of_the_point | it follows from the equation before it, that of `thm-4.3.2-dot`
+:reading: first_level_condition_factors | it holds for the joint solutions of (4.3.3) and (4.3.9) | For $\tau\ne t$ the condition says $\mathbf r'\times\mathbf r''=0$, so that each term of the sum is 0.
 :reading-with: first_level_follows_the_tangent
 :needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0:
   positive $w_i$ make it positive for $t$ and $\tau$ in one span

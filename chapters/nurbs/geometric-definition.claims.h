@@ -318,7 +318,7 @@ CLAIM(recursion_asks_for_a_point_that_is_missing)
 :hypothesis: extrapolated_member_has_a_pole | no $w_i^{[k-2]}(\tau)$, $i=k-1,\dots,n$, vanishes for $\tau\in[t_k,t_{n+1}]$;
   where for one $\tau$ a weight is 0, for another one it is negative, and the denominator may vanish
 :hypothesis: lower_level_lacks_a_point | no $w_i^{[r]}(\tau)$, $i=r+1,\dots,n$, of the levels $r=1,\dots,k-3$ vanishes there
-:hypothesis: high_knot_leaves_a_point_undefined | the knots inside are at most double, or on every level $r$ the terms with $t_i=t_{i+k-r}$ are left
+:hypothesis: high_knot_leaves_a_point_undefined | $t_i<t_{i+2}$ for $i=k-1,\dots,n$, or on every level $r$ the terms with $t_i=t_{i+k-r}$ are left
   out: their $N_{i,k-r}$ is 0
 :figure: nurbs_polygons
 
