@@ -56,7 +56,7 @@ curve is.  The weights come in as products of three, so that positive ones canno
 :reading: turns_of_one_sign_are_not_enough | If the polygon always turns to the same side, so does its curve.
 :meant: definition 4.2.1 of the same book, the only one at hand | The points of a convex polygon are the boundary of a convex set or part of it; one
   that only turns to one side is not meant.  Of the polygons that are meant the hypothesis leaves out those that come to a
-  piece of the boundary twice.
+  piece of the boundary twice, and those on a line.
 :figure: convex_polygon_convex_curve
 
 The property goes one way only: the curve may be convex and the polygon not (`curve_may_be_convex_alone`).  Where all vertices are on one line the curve is a segment of it.
