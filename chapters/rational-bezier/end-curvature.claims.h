@@ -659,7 +659,7 @@ with it, while a curvature is not.  The curve itself may be quite regular.
 :kind: counterexample
 :data: R = (0,0) (1,0) (1,1) (0,1); ω = 1 1 -1/4 1
 :instead: ω = 1 1 1/4 1
-:result: zeros of ω(t) in [0,1] = 0; κ(0) = 1/6; κ(0) as printed = -1/6; κ(1) of R and ω reversed = 1/6; the same as printed = -1/6
+:result: zeros of ω(t) in [0,1] = 0; κ(0) = 1/6; κ(0) as printed = -1/6; κ(1) of R and ω reversed = 1/6; κ(1) as printed = -1/6
 :given: the cubic curve with the corners $R$ of a square and weights $\omega$, of which one is negative, though $\omega(t)$ has no zero in $[0,1]$
 :then: the printed side of (3.2.5) is $-\kappa(0)$; with points and weights in reversed order that at $t=1$ is $-\kappa(1)$
 :method: $\kappa(0)$ and $\kappa(1)$ are the roots of their exact squares.
@@ -691,7 +691,7 @@ CLAIM(negative_weight_makes_printed_curvature_negative)
     found(T, "κ(1) of R and ω reversed", root(2, G(rational_curvature_squared)(n, 2, S, v, from_int(1))));
     length = root(2, G(norm_squared)(2, a1));
     factor = mul(from_ratio(n - 1, n), div(mul(v[n - 2], v[n]), mul(v[n - 1], v[n - 1])));
-    found(T, "the same as printed", mul(factor, div(root(2, G(gram)(2, a1, a2)), mul(length, mul(length, length)))));
+    found(T, "κ(1) as printed", mul(factor, div(root(2, G(gram)(2, a1, a2)), mul(length, mul(length, length)))));
     about(T, "left κ(0), right as printed");
     if (zeros == 0)
         same(T, curvature, printed);
