@@ -489,8 +489,8 @@ What is compared is $\kappa^2$.  That $\kappa$ is the printed side and not its n
 :title: With positive weights the factor of the end curvature is positive, for every n
 :zh: 正权时端点曲率公式的系数为正(任意次数)
 :given: $n>1$, positive weights $\omega_0,\omega_1,\omega_2$, or $\omega_n,\omega_{n-1},\omega_{n-2}$ in their places
-:then: $\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}>0$, so that $\kappa(0)$ and the printed side, two numbers that are not negative and have the same
-  square, are equal
+:then: $\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}>0$, so that $\kappa(0)$, or $\kappa(1)$, and the printed side, two numbers that are not negative and
+  have the same square, are equal
 :method: A quotient of products of positive numbers, $n-1$ among them.  For $n=1$ the factor is 0.
 :degrees: all
 :over: n: -
@@ -512,14 +512,15 @@ CLAIM(factor_of_the_curvature_is_positive)
 :zh: t=1 处同理
 :printed: In the same way one has $\kappa(1)$ and $\tau(1)$.
 :holds-by: curvature_and_torsion_follow_at_one_in_every_degree derivative_vectors_at_one_in_every_degree
-  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
+  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences curvature_belongs_to_arc_length
+  torsion_belongs_to_arc_length
 :confirmed-by: end_derivative_vectors_at_both_ends end_curvature_at_one end_torsion_at_one
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  the weights are positive for the curvature; the example is to be read in reversed order.
+  the weights are positive for the curvature; the example is read in reversed order.
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf a_n\ne\mathbf
-  0$; the example is to be read in reversed order.
+  0$; the example is read in reversed order.
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$ for the torsion;
-  the example is to be read in reversed order.
+  the example is read in reversed order.
 
 The same up to a sign: $\mathbf R''(1)$ has $-\mathbf a_{n-1}$ where $\mathbf R''(0)$ has $\mathbf a_2$.  The curvature does not see it, and in the torsion it
 puts the edges into the order $(\mathbf a_{n-2},\mathbf a_{n-1},\mathbf a_n)$ of the print.

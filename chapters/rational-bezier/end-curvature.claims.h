@@ -11,6 +11,7 @@ this section on; here $k$ stays a number of points.
 */
 #include "exact/record/roots.h"
 
+#include "chapters/judge/elementary.h"
 #include "chapters/rational-bezier/free-curve.h"
 #include "chapters/rational-bezier/taylor.h"
 
@@ -281,11 +282,12 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
   (3.2.5) and (3.2.6).
 :holds-by: curvature_and_torsion_follow_at_zero_in_every_degree derivative_vectors_at_zero_in_every_degree
   curvature_and_torsion_follow_at_one_in_every_degree derivative_vectors_at_one_in_every_degree
-  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
+  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences curvature_belongs_to_arc_length
+  torsion_belongs_to_arc_length
 :confirmed-by: end_curvature_at_zero end_curvature_at_one end_torsion_at_zero end_torsion_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | the property itself: no control points coincide | $\mathbf
   a_1\ne\mathbf 0$ and $\mathbf a_n\ne\mathbf 0$; that is all that the formulas of the curvature use of the hypothesis; other
-  points may coincide.  At $t=1$ this example and those below are to be read in reversed order.
+  points may coincide.  At $t=1$ this example and those below are read in reversed order.
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   the weights are positive for (3.2.5); in general its right sides need $|\omega_0\omega_2|$ and $|\omega_{n-2}\omega_n|$.
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ and $\mathbf
@@ -301,7 +303,7 @@ R''|^2$ they are $\frac{n-2}n$ and $\frac{\omega_0\omega_3}{\omega_1\omega_2}$.
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\kappa(0)=\frac{n-1}n\frac{\omega_0\omega_2}{\omega_1^2}\frac{\|\mathbf
   a_1\times\mathbf a_2\|}{\|\mathbf a_1\|^3}$.
 :holds-by: curvature_and_torsion_follow_at_zero_in_every_degree derivative_vectors_at_zero_in_every_degree
-  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
+  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences curvature_belongs_to_arc_length
 :confirmed-by: end_curvature_at_zero
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
   R_0\ne\mathbf R_1$.
@@ -321,12 +323,12 @@ dimension, as $\mathbf R'(0)$ and $\mathbf R''(0)$ are combinations of $\mathbf 
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\kappa(1)=\frac{n-1}n\frac{\omega_{n-2}\omega_n}{\omega_{n-1}^2}\frac{\|\mathbf
   a_{n-1}\times\mathbf a_n\|}{\|\mathbf a_n\|^3}$.
 :holds-by: curvature_and_torsion_follow_at_one_in_every_degree derivative_vectors_at_one_in_every_degree
-  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences
+  factor_of_the_curvature_is_positive bernstein_sum_begins_with_its_differences curvature_belongs_to_arc_length
 :confirmed-by: end_curvature_at_one
 :needs: repeated_first_points_leave_curvature_undetermined | property 3.2.4: no control points coincide | $\mathbf
-  R_{n-1}\ne\mathbf R_n$; the example is to be read in reversed order.
+  R_{n-1}\ne\mathbf R_n$; the example is read in reversed order.
 :needs: negative_weight_makes_printed_curvature_negative | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  the weights are positive; in general the right side needs $|\omega_{n-2}\omega_n|$; the example is to be read in reversed order.
+  the weights are positive; in general the right side needs $|\omega_{n-2}\omega_n|$; the example is read in reversed order.
 :reading: missing_points_have_the_factor_zero | Read for $n=1$, where $\omega_{n-2}$ and $\mathbf a_{n-1}$ do not exist: whatever stands for them, the factor
   $n-1$ makes it $0$, the curvature of a segment.
 :figure: end_curvature
@@ -338,7 +340,7 @@ dimension, as $\mathbf R'(0)$ and $\mathbf R''(0)$ are combinations of $\mathbf 
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\tau(0)=\frac{n-2}n\frac{\omega_0\omega_3}{\omega_1\omega_2}\frac{(\mathbf a_1,\mathbf
   a_2,\mathbf a_3)}{\|\mathbf a_1\times\mathbf a_2\|^2}$.
 :holds-by: curvature_and_torsion_follow_at_zero_in_every_degree derivative_vectors_at_zero_in_every_degree
-  bernstein_sum_begins_with_its_differences
+  bernstein_sum_begins_with_its_differences torsion_belongs_to_arc_length
 :confirmed-by: end_torsion_at_zero
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$: the first three points are not on a line.
 :reading: missing_points_have_the_factor_zero | Read for $n=2$, where $\omega_3$ and $\mathbf a_3$ do not exist: whatever stands for them, the factor $n-2$
@@ -355,10 +357,10 @@ The sign of the weights does not matter here, as long as $\omega_0,\omega_1,\ome
 :printed: For control points of which none coincide and $\mathbf a_i=\mathbf R_i-\mathbf R_{i-1}$: $\tau(1)=\frac{n-2}n\frac{\omega_{n-3}\omega_n}{\omega_{n-2}\omega_{n-1}}\frac{(\mathbf
   a_{n-2},\mathbf a_{n-1},\mathbf a_n)}{\|\mathbf a_{n-1}\times\mathbf a_n\|^2}$.
 :holds-by: curvature_and_torsion_follow_at_one_in_every_degree derivative_vectors_at_one_in_every_degree
-  bernstein_sum_begins_with_its_differences
+  bernstein_sum_begins_with_its_differences torsion_belongs_to_arc_length
 :confirmed-by: end_torsion_at_one
 :hypothesis: collinear_first_points_leave_torsion_undetermined | $\mathbf a_{n-1}\times\mathbf a_n\ne\mathbf 0$: the last three points are not on a line; the example is
-  to be read in reversed order.
+  read in reversed order.
 :reading: missing_points_have_the_factor_zero | Read for $n=2$, where $\omega_{n-3}$ and $\mathbf a_{n-2}$ do not exist: whatever stands for them, the factor
   $n-2$ makes it $0$, the torsion of a plane curve.  For $n=1$, and for $n=2$ with the three points on a line, the curve is in a line
   and has no torsion.
@@ -550,10 +552,12 @@ CLAIM(missing_points_have_the_factor_zero)
 :types: field
 :data: R = (0,0) (0,0) (1/6,0) (1/2,0) (1,1); ω = 1 1 1 1 1
 :instead: R = (0,0) (1/8,0) (1/6,0) (1/2,0) (1,1)
-:result: x(t) = "t^2"; y(t) = "t^4"; κ(0)² = 4; |a_1 × a_2|² = 0; |a_1|⁶ = 0
+:result: x(t) = "t^2"; y(t) = "t^4"; κ(0)² = 4; |a_1 × a_2|² = 0; |a_1|⁶ = 0; κ(1)² of R reversed = 4; |a_3 × a_4|² of R reversed = 0;
+  |a_4|⁶ of R reversed = 0
 :given: the arc $x=t^2$, $y=t^4$ of the parabola $y=x^2$ as a curve of degree $n=4$ with points $R$ and equal weights: $R_0=R_1$
-:then: $\kappa(t)\to2$ for $t\to0$, but the denominator $\|a_1\|^3$ of (3.2.5) is $0$, and so is the numerator
-:method: $\kappa^2$ is computed at a variable $t$, and the rational function is evaluated at $t=0$: where its value is $4$, the
+:then: $\kappa(t)\to2$ for $t\to0$, but the denominator $\|a_1\|^3$ of (3.2.5) is $0$, and so is the numerator; with the points in reversed
+  order the same at $t=1$, with $\|a_n\|^3$
+:method: $\kappa^2$ is computed at a variable $t$, and the rational function is evaluated at the end: where its value is $4$, the
   denominator of the formula is asked to be different from $0$.
 :control: the point $R_1$ moved away from $R_0$
 :::
@@ -574,8 +578,17 @@ CLAIM(repeated_first_points_leave_curvature_undetermined)
     num area = G(cross2)(a1, a2), length = G(norm_squared)(2, a1);
     found(T, "|a_1 × a_2|²", mul(area, area));
     found(T, "|a_1|⁶", mul(mul(length, length), length));
-    about(T, "the denominator |a_1|⁶ is not 0");
-    refute(T, is_zero_f(length));
+    num reversed[10], b[2], last[2];
+    G(reversed_points)(4, 2, R, reversed);
+    squared = G(rational_curvature_squared)(4, 2, reversed, w, t);
+    found(T, "κ(1)² of R reversed", substitute_f(squared, t, from_int(1)));
+    G(edge)(2, reversed, 3, b);
+    G(edge)(2, reversed, 4, last);
+    num area_at_one = G(cross2)(b, last), length_at_one = G(norm_squared)(2, last);
+    found(T, "|a_3 × a_4|² of R reversed", mul(area_at_one, area_at_one));
+    found(T, "|a_4|⁶ of R reversed", mul(mul(length_at_one, length_at_one), length_at_one));
+    about(T, "the denominator |a_1|⁶, or |a_4|⁶ of R reversed, is not 0");
+    refute(T, is_zero_f(length) && is_zero_f(length_at_one));
 }
 
 /*
@@ -586,10 +599,12 @@ CLAIM(repeated_first_points_leave_curvature_undetermined)
 :types: field
 :data: R = (0,0,0) (1/4,0,0) (1/2,0,0) (3/4,1/4,0) (1,1,1); ω = 1 1 1 1 1
 :instead: R = (0,0,0) (1/4,0,0) (1/2,1/4,0) (3/4,1/4,0) (1,1,1)
-:result: x(t) = "t"; y(t) = "t^3"; z(t) = "t^4"; pairs of equal points = 0; τ(0) = 2; (a_1, a_2, a_3) = 0; |a_1 × a_2|² = 0
+:result: x(t) = "t"; y(t) = "t^3"; z(t) = "t^4"; pairs of equal points = 0; τ(0) = 2; (a_1, a_2, a_3) = 0; |a_1 × a_2|² = 0;
+  τ(1) of R reversed = 2; (a_2, a_3, a_4) of R reversed = 0; |a_3 × a_4|² of R reversed = 0
 :given: $x=t$, $y=t^3$, $z=t^4$ as a curve of degree $n=4$ with equal weights; its points $R$ are all different, the first three on a line
-:then: $\tau(t)\to2$ for $t\to0$, but the denominator $\|a_1\times a_2\|^2$ of (3.2.6) is $0$, and so is the numerator
-:method: $\tau$ is computed at a variable $t$, and the rational function is evaluated at $t=0$: where its value is $2$, the
+:then: $\tau(t)\to2$ for $t\to0$, but the denominator $\|a_1\times a_2\|^2$ of (3.2.6) is $0$, and so is the numerator; with the points in
+  reversed order the same at $t=1$, with $\|a_{n-1}\times a_n\|^2$
+:method: $\tau$ is computed at a variable $t$, and the rational function is evaluated at the end: where its value is $2$, the
   denominator of the formula is asked to be different from $0$.
 :control: the point $R_2$ moved off the line of $R_0$ and $R_1$
 :::
@@ -618,8 +633,18 @@ CLAIM(collinear_first_points_leave_torsion_undetermined)
     num area = G(norm_squared)(3, x);
     found(T, "(a_1, a_2, a_3)", G(det3)(a[0], a[1], a[2]));
     found(T, "|a_1 × a_2|²", area);
-    about(T, "the denominator |a_1 × a_2|² is not 0");
-    refute(T, is_zero_f(area));
+    num reversed[15];
+    G(reversed_points)(4, 3, R, reversed);
+    torsion = G(rational_torsion)(4, reversed, w, t);
+    found(T, "τ(1) of R reversed", substitute_f(torsion, t, from_int(1)));
+    for (int i = 0; i < 3; i++)
+        G(edge)(3, reversed, i + 2, a[i]);
+    G(cross3)(a[1], a[2], x);
+    num area_at_one = G(norm_squared)(3, x);
+    found(T, "(a_2, a_3, a_4) of R reversed", G(det3)(a[0], a[1], a[2]));
+    found(T, "|a_3 × a_4|² of R reversed", area_at_one);
+    about(T, "the denominator |a_1 × a_2|², or |a_3 × a_4|² of R reversed, is not 0");
+    refute(T, is_zero_f(area) && is_zero_f(area_at_one));
 }
 #endif
 
@@ -634,10 +659,10 @@ with it, while a curvature is not.  The curve itself may be quite regular.
 :kind: counterexample
 :data: R = (0,0) (1,0) (1,1) (0,1); ω = 1 1 -1/4 1
 :instead: ω = 1 1 1/4 1
-:result: zeros of ω(t) in [0,1] = 0; κ(0) = 1/6; κ(0) as printed = -1/6
+:result: zeros of ω(t) in [0,1] = 0; κ(0) = 1/6; κ(0) as printed = -1/6; κ(1) of R and ω reversed = 1/6; κ(1) as printed = -1/6
 :given: the cubic curve with the corners $R$ of a square and weights $\omega$, of which one is negative, though $\omega(t)$ has no zero in $[0,1]$
-:then: the printed side of (3.2.5) is $-\kappa(0)$
-:method: $\kappa(0)$ is the root of the exact $\kappa(0)^2$.
+:then: the printed side of (3.2.5) is $-\kappa(0)$; with points and weights in reversed order that at $t=1$ is $-\kappa(1)$
+:method: $\kappa(0)$ and $\kappa(1)$ are the roots of their exact squares.
 :control: the negative weight made positive
 :::
 */
@@ -658,6 +683,15 @@ CLAIM(negative_weight_makes_printed_curvature_negative)
     num printed = mul(factor, div(area, mul(length, mul(length, length))));
     found(T, "κ(0)", curvature);
     found(T, "κ(0) as printed", printed);
+    num S[2 * (n + 1)], v[n + 1]; /* the same backwards, at t = 1 */
+    G(reversed_points)(n, 2, R, S);
+    G(reversed_points)(n, 1, w, v);
+    G(edge)(2, S, n - 1, a2);
+    G(edge)(2, S, n, a1);
+    found(T, "κ(1) of R and ω reversed", root(2, G(rational_curvature_squared)(n, 2, S, v, from_int(1))));
+    length = root(2, G(norm_squared)(2, a1));
+    factor = mul(from_ratio(n - 1, n), div(mul(v[n - 2], v[n]), mul(v[n - 1], v[n - 1])));
+    found(T, "κ(1) as printed", mul(factor, div(root(2, G(gram)(2, a1, a2)), mul(length, mul(length, length)))));
     about(T, "left κ(0), right as printed");
     if (zeros == 0)
         same(T, curvature, printed);

@@ -11,6 +11,7 @@ with $\tau=t/(1-t)$ taken as the new variable $s$, the roots being counted for $
 first inequality passes from crossings to roots, the second is Descartes' rule, and everything else is to make that
 rule fit: it speaks of powers and of positive $s$, while the curve is written in Bernstein functions over $[0,1]$.
 */
+#include "chapters/judge/elementary.h"
 #include "chapters/rational-bezier/crossings.h"
 
 #include "chapters/judge/claims_on.h"
@@ -97,9 +98,9 @@ CLAIM(line_form_of_the_curve)
 :confirmed-by: sign_of_the_curve_is_that_of_the_numerator designed_curves_cross_no_more
 :needs: curve_changes_sides_at_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; it is enough that $\omega(t)$ has no zero in $(0,1)$
-:meant: the last clause of the property | Crossings.
-:reading: end_on_the_line_is_no_interior_root | intersections taken as common points with the ends included, against the last
-  clause of the property
+:meant: the last clause of the property | The intersections of the curve with $L$ are its crossings.
+:reading: end_on_the_line_is_no_interior_root | The common points of the curve with $L$, ends included, are at most as many as the roots,
+  against the last clause of the property.
 
 Where $y(t)$ changes its sign the numerator does, and a polynomial that does so has a root between.  In the place of $Z_{0<t<1}$ the text at hand has a sign of
 summation with $0<t<l$ (`wang-ch3:prop-3.2.7-notation`).
@@ -135,10 +136,7 @@ CLAIM(sign_of_the_curve_is_that_of_the_numerator)
     }
     G(rational_point)(n, 1, y, w, t, &point);
     num weight = G(rational_weight)(n, w, t);
-    nonnegative(T, weight);
-#if FIELD
-    agree(T, !is_zero_f(weight));
-#endif
+    G(must_be_positive)(T, weight);
     same(T, mul(point, weight), numerator); /* y(t) ω(t) = Σ B_i^n(t) ω_i y_i */
 }
 
@@ -262,7 +260,7 @@ CLAIM(numerator_in_powers_of_the_ratio)
 :confirmed-by: numerator_in_powers_of_the_ratio root_counts_survive_the_substitution
 :figure: roots_and_the_substitution
 
-In the place of $Z_{0<t<1}$ and $Z_{0<s<+\infty}$ the text at hand has signs of summation, the first with $0<t<l$ (`wang-ch3:prop-3.2.7-notation`).  It holds for different roots and for roots
+In the place of $Z_{0<t<1}$ and $Z_{0<s<+\infty}$ the text at hand has signs of summation, the first with $0<t<l$ (`wang-ch3:prop-3.2.7-notation`).  The equation holds for different roots and for roots
 counted as often as their multiplicity, since $s-s_0$ is $t-t_0$ times a positive function, and $(1-t)^n$ has no root in $(0,1)$.
 :::
 
@@ -287,12 +285,12 @@ CLAIM(ratio_is_an_increasing_bijection)
     num one = from_int(1), p = positive(T, "p", 0), q = positive(T, "q", 0), s = positive(T, "s", 0);
     num t = div(p, add(one, p)), later = div(add(p, q), add(one, add(p, q)));
     num at_t = div(t, sub(one, t)), at_later = div(later, sub(one, later)), back = div(s, add(one, s));
-    nonnegative(T, at_t);
+    G(must_be_positive)(T, at_t);
     same(T, div(at_t, add(one, at_t)), t);
     same(T, div(back, sub(one, back)), s);
     num rise = div(sub(later, t), mul(sub(one, fault(T, later, t)), sub(one, t)));
     same(T, sub(at_later, at_t), rise);
-    nonnegative(T, rise);
+    G(must_be_positive)(T, rise);
 }
 
 #if RATIONAL
@@ -567,8 +565,9 @@ CLAIM(mixed_weights_change_sign_changes)
 :printed: V[y_0,y_1,\dots,y_n]=I(\mathbf B,L)
 :holds-by: sign_changes_are_counted_one_by_one
 :confirmed-by: sign_changes_are_polygon_crossings
-:meant: the last clause of the property | Crossings.
-:reading: touching_polygon_has_no_sign_change | intersections taken as common points, against the last clause of the property
+:meant: the last clause of the property | The intersections of the B-net with $L$ are its crossings.
+:reading: touching_polygon_has_no_sign_change | The changes of sign are as many as the common points of the B-net with $L$, against the last
+  clause of the property.
 :::
 
 :::{claim} sign_changes_are_polygon_crossings

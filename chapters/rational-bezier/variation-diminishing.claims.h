@@ -26,10 +26,10 @@ without Descartes, is tried on patterns of signs.
 :needs: mixed_weights_cross_more | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are positive
 :meant: its last clause: the number is how often $L$ is crossed | Crossings, counted along the curve and along the
   polygon, also when edges, ends or the whole curve are on the line.
-:reading: designed_curves_meet_no_more | common points, ends and tangents included and counted along the curve, on the polygon
-  its points and runs of edges on the line, if the curve is not contained in the line
-:reading: self_crossing_polygon_meets_the_line_once | common points, each point of the plane counted once however often
-  curve or polygon run through it
+:reading: designed_curves_meet_no_more | The common points of the curve with $L$, ends and tangents included and counted along the curve, are at
+  most as many as the points and runs of edges that the B-net has on $L$, where the curve is not contained in $L$.
+:reading: self_crossing_polygon_meets_the_line_once | The common points of the curve with $L$ are at most as many as those of the B-net, each
+  point of the plane counted once however often curve or B-net run through it.
 :figure: line_crossings
 
 The chain of the source proves it, for every degree and every line, the $y_i$ being the values of its form at the vertices: a crossing is a root of the numerator, which is a polynomial in $s=\frac t{1-t}$ times a positive function, the positive
@@ -128,14 +128,15 @@ CLAIM(designed_curves_cross_no_more)
 :title: Common points of curves and polygons with a line, counted exactly
 :zh: 公共点数的精确计数
 :kind: decision
-:given: the curves and polygons of `designed_curves_cross_no_more`, those inside the line left out
+:given: all $y_i\in\{-1,0,1\}$, not all $0$, $x_i=i$, the line $y=0$; weights $1$; $1000$ and $1$ in turn; $10^i$; $\frac1{1000}$ inside and
+  $1$ at the ends
 :then: the curve has on $[0,1]$ at most as many parameters on the line as the polygon has maximal pieces (points or runs of
   edges) on it
 :method: Counted by Descartes' rule in the Bernstein basis and by Sturm's theorem.
 :degrees: 1..5
 :scope: the stated polygons and weights
 :argued: every n, all points and all positive weights | An end on the line is a piece of its own, every change of sign of the heights gives a piece between, and the roots
-  inside are at most $V$.
+  inside are no more than these changes, as for crossings.
 :control: the pieces without those at the ends
 :::
 */
