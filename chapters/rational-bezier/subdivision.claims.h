@@ -394,6 +394,8 @@ CLAIM(curve_may_have_a_pole_outside)
   $(t-a)/0$; for $c=b$ the right one has $(t-b)/0$
 :needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
   vanish although all $\omega_i>0$
+:needs: curve_may_have_a_pole_outside | theorem 3.3.1: $a\le t\le c$ and $c\le t\le b$ | $a\le t\le b$: outside $[a,b]$ the denominator of $\mathbf R(t)$ may vanish although
+  all $\omega_i>0$
 :::
 
 :::{claim} numerator_and_denominator_are_cut_alike
