@@ -41,7 +41,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: for "if"
 :needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n=3,4,5$ three edges not
-  coplanar; the example has $n=2$ and points of a line; for $n=3$ coplanar edges do no harm, and for $n=4,5$ one end is enough, as is said below
+  coplanar; the example has $n=2$ and points of a line; for $n=3$ coplanar edges do no harm, and for $n=3,4,5$ one end is enough, as is said below
 :needs: palindromes_of_degree_four | the theorem | for $n=4$ the edges are not coplanar at one end at least; without it the
   point set, run backwards, can have other invariants
 :needs: common_factor_hides_the_weights | the theorem | for $n=5$ the edges are not coplanar at one end at least; a plane quintic can be one and the
@@ -62,7 +62,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
 
 For $n=3$ the edges may be coplanar, when at both ends three points are not collinear: $T$ is on no line, as its points $R_i$ would be on that line, too; its algebraic
 curve has the degree 2 or 3, and a degree of at most 3 that is a multiple of it is equal to it.  So both curves are proper, by
-`plane_cubic_cannot_run_backwards` they have one direction, and the curvatures at the two ends give $I_1$ and $I_2$.
+`plane_cubic_cannot_run_backwards` they have one direction, and the curvatures at the two ends give $I_1$ and $I_2$.  Three points that are not collinear at one end are enough here, too, as below: with $\omega_i^*=\omega_i$ for $i\le2$ there is the factor $t^3$, and $p$ has at least the degree 2, $g^*-g$ at most 1.
 
 For $n=4,5$ three edges that are not coplanar at one end, say at the start, are enough.  With them $T$ is in no plane, and the curves are proper and have one direction by steps (1) and (2), which ask for independent edges at
 one end.  Curvature and torsion at the start give $I_1$ and $I_2$; so after a change (3.2.10), by which the two become one map, $\omega_i^*=\omega_i$ for $i\le3$, when a common factor is divided out.  Their homogeneous coordinates are then
