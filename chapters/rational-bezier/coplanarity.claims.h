@@ -320,6 +320,8 @@ CLAIM(motion_takes_a_plane_to_the_coordinate_plane)
   $0\le t\le1$
 :holds-by: mean_grows_by_one_term
 :confirmed-by: plane_form_of_the_curve
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega(t)\ne0$:
+  otherwise there is no point $\mathbf R(t)$
 
 The mean of the numbers $z_i$ is the quotient of the two sums; it is 0 where its numerator is, and nowhere else.
 :::
@@ -331,7 +333,7 @@ The mean of the numbers $z_i$ is the quotient of the two sums; it is 0 where its
 :holds-by: change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
 :confirmed-by: powers_span_the_bernstein_functions collocation_determinant_does_not_vanish
 
-Divided by $(1-t)^n$ the sum is $\sum\binom ni\omega_iz_is^i$ with $s=\frac t{1-t}$, by (2) of `change_of_parameter_acts_on_one_factor`; a polynomial in $s$ that is 0 for all $s>0$ has
+Divided by $(1-t)^n$ the sum is $\sum\binom ni\omega_iz_is^i$ with $s=\frac t{1-t}$, by (2) of the first identity; a polynomial in $s$ that is 0 for all $s>0$ has
 no coefficient but 0.
 :::
 

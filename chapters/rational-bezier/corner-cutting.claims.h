@@ -151,7 +151,8 @@ have a pole for that.
 :holds-by: cut_coefficients_are_convex
 :needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: otherwise a coefficient may be negative although $\omega(t)$ has no real zero
-:needs: cut_outside_has_a_negative_coefficient | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$
+:needs: cut_outside_has_a_negative_coefficient | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$; the ends do no harm, but outside $[a,b]$ a coefficient
+  may be negative although all $\omega_i>0$
 :figure: cut_leaves_the_edge
 :::
 
@@ -164,7 +165,8 @@ have a pole for that.
 :confirmed-by: triangle_level_by_level
 :needs: negative_weight_breaks_convexity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
-:needs: cut_outside_has_a_negative_coefficient | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$
+:needs: cut_outside_has_a_negative_coefficient | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$; the ends do no harm, but outside $[a,b]$ a coefficient
+  may be negative although all $\omega_i>0$
 :::
 
 :::{claim} cut_coefficients_are_convex

@@ -42,10 +42,9 @@ Cut in the middle, the error of a quarter circle is divided by 4 in each of the 
 :method: The coefficients over $[u,v]$ are values of the polar form.  $\beta_{ij}$ is the polar form of the
   polynomial with coefficients $0,\dots,1,\dots,0$ of degree $n-2$ at $n-2-i$ arguments $u$ and $i$ arguments $v$;
   with $u=r/(1+r)$, $v=s/(1+s)$ its coefficients are nonnegative.  So
-  $\max|\Delta^2b^{[u,v]}|\le(v-u)^2\max|\Delta^2b|$; the ends $0$ and $1$ follow by continuity.
+  $\max|\Delta^2b^{[u,v]}|\le(v-u)^2\max|\Delta^2b|$.
 :degrees: 2..6 sampled 10
-:scope: every interval of [0,1]
-:harmless: $0<u,v<1$ | these are the intervals inside $[0,1]$
+:scope: 0 < u,v < 1
 :over: b#: coefficients; r s: -
 :control: $v-u$ for $(v-u)^2$
 :::

@@ -286,27 +286,26 @@ CLAIM(geometric_weights_reparametrize_bezier)
 :::{claim} geometric_weights_term_by_term
 :title: Term by term, in every degree
 :zh: 逐项成立:任意次数
-:given: variables $n,i,\alpha,u$
-:let: $t=\alpha u/D$, $D=1-u+\alpha u$
+:given: any $\alpha,u$ with $D=1-u+\alpha u\ne0$; a power $E$ of $D$ and a product $F$ of as many factors, each $t$ or $1-t$; $C$ a binomial coefficient and a point $P$
+:let: $t=\alpha u/D$
 :where: $1-u+\alpha u\ne0$
-:then: $D(1-t)=1-u$ and $\frac{n-i}{i+1}\frac t{1-t}=\alpha\frac{n-i}{i+1}\frac u{1-u}$
-:method: So $D^nB_0^n(t)=B_0^n(u)$, and the quotients $B_{i+1}^n/B_i^n$ at $t$ and $u$ differ by the factor
-  $\alpha$ where $u\ne1$, and by continuity at $u=1$, as polynomials in $u$ do; by induction on $i$, $D^nB_i^n(t)=\alpha^iB_i^n(u)$ for all $i\le n$.  The sum over $i$ is $D^n=\sum
-  B_i^n(u)\alpha^i$.  Outside the field $n$ and $i$ are random integers, and the result is compared term by term.
+:then: $Dt=\alpha u$ and $D(1-t)=1-u$; so $(ED)(Ft)=EF\cdot\alpha u$ and $(ED)(F(1-t))=EF\cdot(1-u)$, and the same times $CP$; $Ft+F(1-t)=F$
+:method: The steps of an induction on the number of factors, which begins with $E=F=1$: with $i$ factors $t$ and $n-i$ factors $1-t$ it is $D^nt^i(1-t)^{n-i}=\alpha^iu^i(1-u)^{n-i}$, and so
+  $D^nB_i^n(t)=\alpha^iB_i^n(u)$ for all $i\le n$.  Multiply by $P_i$ and add: $D^n$ times the Bézier curve at $t$ is $\sum B_i^n(u)\alpha^iP_i$.  All products of $n$ factors, $\binom ni$ of them with $i$ factors $t$, have
+  the sum 1, by induction from $Ft+F(1-t)=F$: so $\sum B_i^n(t)=1$, and the denominator $\sum B_i^n(u)\alpha^i$ is $D^n$.  Outside the field $n$ and $i$ are random integers, and the result is compared term by term.
 :degrees: all
-:over: alpha; i n: -
+:over: alpha; C E F: -
 :control: $\alpha^2$ for $\alpha$
 :::
 */
 CLAIM(geometric_weights_term_by_term)
 {
     num one = from_int(1), alpha = positive(T, "alpha", 0), u = parameter(T, "u"), t = G(alpha_parameter)(alpha, u);
-    num rest = sub(one, u), D = add(rest, mul(alpha, u)), factor = fault(T, alpha, mul(alpha, alpha));
-#if FIELD
-    num n = positive(T, "n", 0), i = positive(T, "i", 0);
-#else
-    int index = pick(T, 0, 6), degree = index + pick(T, 1, 6);
-    num n = from_int(degree), i = from_int(index), old[MAX_DEGREE + 1], new[MAX_DEGREE + 1], scale = one;
+    num behind = sub(one, u), D = add(behind, mul(alpha, u)), rest = sub(one, t);
+    num factor = fault(T, alpha, mul(alpha, alpha)), ahead = mul(factor, u);
+#if !FIELD
+    int index = pick(T, 0, 6), degree = index + pick(T, 0, 6);
+    num old[MAX_DEGREE + 1], new[MAX_DEGREE + 1], scale = one;
     G(bernstein_basis)(degree, t, old);
     G(bernstein_basis)(degree, u, new);
     for (int k = 0; k < degree; k++)
@@ -315,14 +314,26 @@ CLAIM(geometric_weights_term_by_term)
         new[index] = mul(new[index], factor);
     about(T, "D^n B_i^n(t) = α^i B_i^n(u)");
     same(T, mul(scale, old[index]), new[index]);
-    about(T, "the next binomial coefficient");
-    same(T, mul(div(sub(n, i), add(i, one)), from_int(binomial(degree, index))), from_int(binomial(degree, index + 1)));
+    num sum = from_int(0), power = one;
+    G(bernstein_basis)(degree, u, new);
+    for (int k = 0; k <= degree; k++, power = mul(power, factor))
+        sum = add(sum, mul(new[k], power));
+    about(T, "the denominator is D^n");
+    same(T, sum, scale);
 #endif
-    num choose = div(sub(n, i), add(i, one));
-    about(T, "the first term, and the quotient of neighbouring terms");
-    same(T, mul(D, sub(one, t)), rest);
-    num P = unknown(T, "P", 0); /* the next point */
-    same(T, mul(P, mul(choose, div(t, sub(one, t)))), mul(mul(factor, P), mul(choose, div(u, rest))));
+    about(T, "D t and D (1-t)");
+    same(T, mul(D, t), ahead);
+    same(T, mul(D, rest), behind);
+    num E = unknown(T, "E", 0), F = unknown(T, "F", 0), product = mul(E, F), more = mul(E, D);
+    about(T, "all products of one factor more have the same sum");
+    same(T, add(mul(F, t), mul(F, rest)), F);
+    num scales[] = {one, mul(unknown(T, "C", 0), unknown(T, "P", 0))};
+    static const char *const of[] = {"one factor more", "the same times the coefficient and the point of the term"};
+    for (int k = 0; k < 2; k++) {
+        about(T, of[k]);
+        same(T, mul(scales[k], mul(more, mul(F, t))), mul(scales[k], mul(product, ahead)));
+        same(T, mul(scales[k], mul(more, mul(F, rest))), mul(scales[k], mul(product, behind)));
+    }
 }
 
 #if FIELD
@@ -435,7 +446,7 @@ are geometric, up to a common factor; three weights with another $I_1$ belong to
 :data: ω = 1 2 1
 :instead: ω = 1 2 4
 :result: I_1 = 4; c = 1; α = 2; c α² = 4
-:given: a quadratic curve with weights $\omega$
+:given: a quadratic curve with weights $\omega$ and points that are not on a line, so that other weights give the same map only if they are multiples of these
 :then: the change of parameter leads to weights $c\,\alpha^i$; only one $c$ and one $\alpha$ agree with $\omega$ at $i=0,1$, but then
   $c\,\alpha^2\ne\omega_2$.  And $I_1\ne1$, while geometric weights have $I_1=1$
 :method: $c=\omega_0$ and $\alpha=\omega_1/\omega_0$; computed exactly.

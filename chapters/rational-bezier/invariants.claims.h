@@ -310,7 +310,7 @@ CLAIM(reversal_exchanges_invariants)
   $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | $\omega_0\omega_2>0$: otherwise $1/I_1$ is negative, and the product of two ratios of lengths is not
 :needs: ratios_do_not_exist_at_the_ends | § 3.1, by which $g_1g_2$ is constant, so that both ratios exist | $0<t<1$
 :needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$ do not lie
-  on a line.
+  on a line
 
 What section 3.1 calls $g_1g_2=\omega_0\omega_2/\omega_1^2$ is the reciprocal, $1/I_1$.
 :::

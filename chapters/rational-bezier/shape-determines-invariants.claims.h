@@ -41,10 +41,10 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: for "if"
 :needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n=3,4,5$ three edges not
-  coplanar; the example has $n=2$ and points of a line; for $n=3$ coplanar edges do no harm, as is said below
+  coplanar; the example has $n=2$ and points of a line; for $n=3$ coplanar edges do no harm, and for $n=3,4,5$ one end is enough, as is said below
 :needs: palindromes_of_degree_four | the theorem | for $n=4$ the edges are not coplanar at one end at least; without it the
   point set, run backwards, can have other invariants
-:needs: common_factor_hides_the_weights | the theorem | for $n=5$ the edges are not coplanar; a plane quintic can be one and the
+:needs: common_factor_hides_the_weights | the theorem | for $n=5$ the edges are not coplanar at one end at least; a plane quintic can be one and the
   same map for weights with different invariants
 :needs: space_palindromes_beyond_degree_five | the theorem | $n\le5$: for $n=6$ to 9 there are examples, where the point set, run backwards,
   has other invariants
@@ -62,10 +62,11 @@ set run in the same direction; the same map of the parameter; or congruent curve
 
 For $n=3$ the edges may be coplanar, when at both ends three points are not collinear: $T$ is on no line, as its points $R_i$ would be on that line, too; its algebraic
 curve has the degree 2 or 3, and a degree of at most 3 that is a multiple of it is equal to it.  So both curves are proper, by
-`plane_cubic_cannot_run_backwards` they have one direction, and the curvatures at the two ends give $I_1$ and $I_2$.
+`plane_cubic_cannot_run_backwards` they have one direction, and the curvatures at the two ends give $I_1$ and $I_2$.  Three points that are not collinear at one end are enough here, too, as below: with $\omega_i^*=\omega_i$ for $i\le2$ there is the factor $t^3$, and $p$ has at least the degree 2, $g^*-g$ at most 1.
 
-For $n=4$ three edges that are not coplanar at one end are enough, when at both ends three points are not collinear: with them $T$ is in no plane and they have one direction by step (2), which asks for independent edges at one end; the curvatures give
-$I_1$ and $I_3$, and the torsion at that end gives $I_2$.
+For $n=4,5$ three edges that are not coplanar at one end, say at the start, are enough.  With them $T$ is in no plane, and the curves are proper and have one direction by steps (1) and (2), which ask for independent edges at
+one end.  Curvature and torsion at the start give $I_1$ and $I_2$; so after a change (3.2.10), by which the two become one map, $\omega_i^*=\omega_i$ for $i\le3$, when a common factor is divided out.  Their homogeneous coordinates are then
+$g\,p$ and $g^*p$ with polynomials $g$, $g^*$ and coordinates $p$ without a common factor, of a degree of at least 3 as $T$ is in no plane; $(g^*-g)\,p$ has the factor $t^4$, and so has $g^*-g$, whose degree is at most $n-3\le2$: so $g^*=g$, and all weights agree.
 :::
 */
 
@@ -344,10 +345,10 @@ reversed weights have other ones, and the same point set.
 :control: weights that do not change in reverse order
 :::
 */
-/* Whether the curve over a palindromic polygon, run backwards, is one map with other invariants. */
-static void G(check_palindrome)(trial *T, int n)
+/* Whether the curve over a palindromic polygon, run backwards, is one map with other invariants; its points and both weights. */
+static void G(check_palindrome)(trial *T, int n, num R[], num w[], num v[])
 {
-    num R[2 * (MAX_DEGREE + 1)], S[2 * (MAX_DEGREE + 1)], w[MAX_DEGREE + 1], v[MAX_DEGREE + 1];
+    num S[2 * (MAX_DEGREE + 1)];
     given_points(T, "R", n + 1, 2, R);
     given_points(T, "ω", n + 1, 1, w);
     G(reversed_points)(n, 2, R, S);
@@ -357,7 +358,12 @@ static void G(check_palindrome)(trial *T, int n)
     agree(T, G(found_invariants_differ)(T, n, w, v));
 }
 
-CLAIM(palindromes_of_degree_four) { G(check_palindrome)(T, 4); }
+CLAIM(palindromes_of_degree_four)
+{
+    enum { n = 4 };
+    num R[2 * (n + 1)], w[n + 1], v[n + 1];
+    G(check_palindrome)(T, n, R, w, v);
+}
 
 /*
 :::{claim} palindromes_of_degree_five
@@ -366,15 +372,23 @@ CLAIM(palindromes_of_degree_four) { G(check_palindrome)(T, 4); }
 :kind: decision
 :data: R = (0,0) (1,0) (0,1) (0,1) (1,0) (0,0); ω = 1 2 1 1 1 1
 :instead: ω = 1 2 1 1 2 1
-:result: I = 4 1/2 1 1; I* = 1 1 1/2 4
+:result: I = 4 1/2 1 1; I* = 1 1 1/2 4; κ(0)², κ*(0)² = 1/25 16/25
 :given: the quintic curve of the plane with points $R$ and weights $\omega$, and $\omega^*$, which is $\omega$ in reverse order
 :then: $R^*(t)=R(1-t)$, so that the point sets are one; the first and the last three points are not collinear; but
   $I$ and $I^*$ differ, $I_1$ and $I_1^*$ among them, and so do the curvatures at the start
-:method: The polynomials of the two curves are compared; the rest is exact arithmetic.  The curvature at the start is a number of the points divided by $I_1$.
+:method: The polynomials of the two curves are compared; the rest is exact arithmetic, the squared curvatures from the derivatives.
 :control: weights that do not change in reverse order
 :::
 */
-CLAIM(palindromes_of_degree_five) { G(check_palindrome)(T, 5); }
+CLAIM(palindromes_of_degree_five)
+{
+    enum { n = 5 };
+    num R[2 * (n + 1)], w[n + 1], v[n + 1], zero = from_int(0);
+    G(check_palindrome)(T, n, R, w, v);
+    num square[2] = {G(rational_curvature_squared)(n, 2, R, w, zero), G(rational_curvature_squared)(n, 2, R, v, zero)};
+    found_points(T, "κ(0)², κ*(0)²", 2, 1, square);
+    agree(T, !equal_q(square[0], square[1]));
+}
 
 /* (a_i, a_j, a_k) of the edges of points of space. */
 static num G(edges_det)(const num R[], int i, int j, int k)
@@ -578,9 +592,9 @@ the other end to symmetry.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself.  If it exchanged the ends, the first edges would be dependent by
-  `backward_run_flattens_the_first_edges`, as the end derivatives have the directions of the edges; so start corresponds to start.  The source takes this for granted.
+  `backward_run_flattens_the_first_edges`, as the end derivatives have the directions of the edges; so start corresponds to start.  The source takes this for granted.  Curvature and torsion do not depend on the parameter.
 
-As printed, with "or", the sentence says less than what is true and used: curvature and torsion agree.
+As printed, with "or", the sentence says less than what is true and used: curvature and torsion agree, at all corresponding points where they exist, and at the start they do.
 :::
 */
 
@@ -759,7 +773,7 @@ CLAIM(printed_torsion_denominator_is_wrong)
 :holds-by: quintic_starts_with_these_factors factor_of_the_curvature_is_positive end_factors_are_reciprocals_of_invariants
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :needs: common_factor_hides_the_weights | the sentence itself | $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$; in a plane one and the same quintic can have
-  several $I_2$, and both torsions are 0
+  several $I_2$, and both torsions are 0.  In the example the last three edges are coplanar, too.
 
 The proof is for $n=5$.  In the two differences, of the curvatures and of the torsions, which are 0, the geometric factors are not 0, so that the factors of the weights are.  The
 quotient of the second equation is $1/(I_1I_2)$.
@@ -833,14 +847,15 @@ CLAIM(product_is_the_inverse_second_invariant)
   bernstein_sum_of_powers_is_a_power change_of_parameter_acts_on_one_factor mean_grows_by_one_term weight_can_be_divided_out
 :confirmed-by: reversal_exchanges_invariants end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :needs: common_factor_hides_the_weights | the theorem | the last three edges are not coplanar: so the last three points are not on a line; in a plane
-  one and the same quintic can have several $I_3$
+  one and the same quintic can have several $I_3$.  In the example the first three edges are coplanar, too.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | That the curvatures and the torsions agree at the end: the two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the last edges
   would be dependent by `backward_run_flattens_the_first_edges` for the reversed polygon, as the end derivatives have the directions of the edges; so end corresponds to end.
 
 The proof is for $n=5$.  That the curvatures and the torsions agree at the other end, too, the source leaves to the symmetry.
-Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and the hypotheses with each other.
+Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and the hypotheses with each other.  That the last three edges are not coplanar is what this argument needs; that $I_3=I_3^*$ and $I_4=I_4^*$ follows
+from the first three edges alone as well, as is said at theorem 3.2.1.
 :::
 
 :::{statement} wang-ch3:thm-3.2.1-proof-other-degrees
@@ -854,7 +869,7 @@ Reversing points and weights exchanges the two ends, $I_i$ with $I_{n-i}$, and t
 :confirmed-by: end_curvature_contains_one_invariant end_torsion_contains_two_invariants
 :meant: the theorem, which is stated for $n=2,3,4,5$ | The proof for $n=5$ contains those for the other $n$.
 :needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n=3,4,5$ three edges not
-  coplanar; the example has $n=2$ and points of a line
+  coplanar; the example has $n=2$ and points of a line; what of it $n=3,4,5$ need is said at theorem 3.2.1
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be dependent by

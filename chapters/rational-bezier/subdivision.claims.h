@@ -213,9 +213,8 @@ The two sides meet in $R_n^n$, the point of the curve at $c$.
   (3.3.3).
 :class: misprint
 :refuted-by: printed_right_half_has_the_wrong_argument printed_right_half_has_the_wrong_weight
-:corrected: For every $c\in(a,b)$ the parts of $\mathbf R(t)$ over $[a,c]$ and $[c,b]$ are rational Bézier curves of
-  degree $n$ with the weights $\omega_i^i(c)$ and points $\mathbf R_i^i(c)$, and with the weights $\omega_n^{n-i}(c)$
-  and points $\mathbf R_n^{n-i}(c)$.
+:corrected: For every $c\in(a,b)$ the part of $\mathbf R(t)$ over $[a,c]$ is the rational Bézier curve of degree $n$ with the weights $\omega_i^i(c)$ and points $\mathbf R_i^i(c)$, at the
+  parameter $\frac{t-a}{c-a}$, and that over $[c,b]$ the one with the weights $\omega_n^{n-i}(c)$ and points $\mathbf R_n^{n-i}(c)$, at the parameter $\frac{t-c}{b-c}$.
 :corrected-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power weighted_points_are_cut_like_the_weights
   cut_coefficients_are_convex
 :confirmed-by: subdivision_left_half subdivision_right_half
@@ -394,6 +393,8 @@ CLAIM(curve_may_have_a_pole_outside)
   $(t-a)/0$; for $c=b$ the right one has $(t-b)/0$
 :needs: cut_outside_can_fail | theorem 3.3.1: $c\in(a,b)$ | $c\in(a,b)$: outside $[a,b]$ a weight of the triangle may
   vanish although all $\omega_i>0$
+:needs: curve_may_have_a_pole_outside | theorem 3.3.1: $a\le t\le c$ and $c\le t\le b$ | $a\le t\le b$: outside $[a,b]$ the denominator of $\mathbf R(t)$ may vanish although
+  all $\omega_i>0$
 :::
 
 :::{claim} numerator_and_denominator_are_cut_alike
