@@ -328,6 +328,7 @@ another.
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it: the identities of one insertion have the
@@ -366,6 +367,7 @@ corollary 4.1.1 is that of the $T'_m$.
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it; where a knot is more than $k$-fold, points without a share are left out.  The limit of a decreasing sequence of compact sets is their
