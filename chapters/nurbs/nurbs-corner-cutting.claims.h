@@ -659,7 +659,7 @@ This is about the $s_i$ that exist.
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: cutting_corners
 
-The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order of the edges; both ends stay.
+By the formula of the proof the new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order of the edges; both ends stay.
 :::
 
 :::{statement} wang-ch4:lemma-4.2.1-step-first
