@@ -29,14 +29,14 @@ inflection: it is touched by every member that does not stand still there.
 :meant: (4.3.3) and (4.3.9), by which the section determines the envelope | The first: all joint solutions.
 :reading: inflected_cubic_has_second_envelope | all joint solutions of (4.3.3) and (4.3.9), at an inflection, in
   the plane
-:reading: space_quartic_has_second_envelope | the same for curves that are not plane, where the curvature
-  vanishes
+:reading: space_quartic_has_second_envelope | all joint solutions of (4.3.3) and (4.3.9), of a curve that is not plane, where its
+  curvature vanishes
 :reading: first_level_condition_factors | only solutions of the form $\tau=\tau(t)$ with a continuous function, as
   (4.3.10) may be meant, if $\mathbf r'\times\mathbf r''$ is not 0 identically: the lines $t=t_0$ are then left out |
   Away from the isolated zeros of $\mathbf r'\times\mathbf r''$ the condition leaves $\tau=t$ only, and a continuous function has
   the same value at them.
 :reading-with: first_level_follows_the_tangent
-:reading: folded_line_has_another_solution | the same when $\mathbf r'\times\mathbf r''$ is 0 identically, a case which the proof includes
+:reading: folded_line_has_another_solution | only solutions of the form $\tau=\tau(t)$ with a continuous function, when $\mathbf r'\times\mathbf r''$ is 0 identically, a case which the proof includes
 :corrected: the joint solutions are $\tau=t$ and the lines $t=t_0$ with $\mathbf r'(t_0)\times\mathbf r''(t_0)=0$; the
   points of such a line are $\mathbf r(t_0)+\frac{(\tau-t_0)w(t_0)}{(k-1)W(t_0,\tau)}\mathbf r'(t_0)$, $W$ being the denominator of the member; hence, unless
   $\mathbf r$ is on a straight line, the envelope is $\mathbf r$ alone if and only if $\mathbf r'\times\mathbf r''=0$

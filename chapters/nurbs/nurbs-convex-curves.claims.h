@@ -25,8 +25,8 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
   coincide; else the curve is not continuous
 :confirmed-by: periodic_curves_of_convex_polygons_are_convex
 :needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | the weights are positive
-:meant: the sentence, which goes from the polygon to the curve | This direction.
-:reading: curve_may_be_convex_alone | this direction only: the converse, which is not printed, fails
+:meant: the sentence, which goes from the polygon to the curve | From the polygon to the curve, not back.
+:reading: curve_may_be_convex_alone | from the polygon to the curve only: the converse, which is not printed, fails
 :argued: | Insert three parameters $k-1$ times each: the three points of the curve are vertices, and they turn as
   the polygon does; the start $t_1=t_k$ is not inserted, where the point of the curve is a vertex already.  So any finitely many points of the curve are, in their order, a convex polygon, unless they are on a line, and none is inside their hull; a point
   inside the hull of the curve would be inside that of finitely many.  If all turns are $0$, the curve is on a line, and so are the points whose B-splines are not $0$ on the
@@ -328,6 +328,7 @@ another.
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it: the identities of one insertion have the
@@ -366,6 +367,7 @@ corollary 4.1.1 is that of the $T'_m$.
 :needs: mixed_weights_cut_beside_the_edges | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
   increase
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it; where a knot is more than $k$-fold, points without a share are left out.  The limit of a decreasing sequence of compact sets is their

@@ -24,7 +24,7 @@ the corners and pass to the curve.
 :checked-by: convex_polygons_lie_on_the_border_of_their_hull
 :meant: the words of the definition, which speak of a set | That the set of points of $\Gamma$ is the boundary or a part of it, as in the first two readings.
 :reading: polygon_that_turns_back_loses_convexity | that convexity is kept by insertion, lemma 4.2.1, when the set of points of $\Gamma$ has to be part of the boundary
-:reading: polygon_that_overlaps_itself_loses_convexity | the same, when besides $\Gamma$ must never turn back
+:reading: polygon_that_overlaps_itself_loses_convexity | that convexity is kept by insertion, lemma 4.2.1, when the set of points has to be part of the boundary and besides $\Gamma$ must never turn back
 :reading: turns_of_one_sign_are_not_enough | that the curve of a convex polygon is convex, theorem 4.2.1, when $\Gamma$ has to turn always to the same side, which the
   definition does not say
 :reading: triangles_of_one_sign_make_a_polygon_convex | when $\Gamma$ has to run through the boundary or part of it once, coming to no

@@ -31,9 +31,10 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through part of the boundary of a convex set once; that it
   is there as a set is not enough
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
-:hypothesis: triangle_with_a_lost_point_runs_back | no knot of $T$ is more than $k$-fold: else (4.1.6) leaves out a point whose B-spline is 0, and the polygon may turn back
-:meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
+:meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$, and definition 4.2.1, which speaks of a set | The polygon of the points (4.1.6), and that its set of points is a convex curve.
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
+:reading: triangle_with_a_lost_point_runs_back | that the new polygon, too, runs through part of the boundary of a convex set once, where a knot of $T$ is more than $k$-fold: it may turn back on a line
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
   again
@@ -43,10 +44,11 @@ and no minor of $M$ is negative.  So where all $D_{ijl}$ have one sign, the new 
   these $r_1$, then $r_2$ and so on up to the last or $r_\mu$ are found from $r'_1,r'_2,\dots$, whose $\alpha_i$ are positive, and those behind are new ones; where
   a point is repeated, all are.  So where not all triangles are 0, not all new ones are.  Where all triangles are 0, the polygon goes straight on; its
   new vertices are on its edges, one on each and in their order, so that the new polygon does.  A knot that becomes more than $k$-fold by the insertion repeats a point, and one of the equal points is
-  without a share afterwards.  The new vertices being on edges of the polygon before, they are in its hull, which is $A$.
+  without a share afterwards.  Where a knot of $T$ is more than $k$-fold, points without a share are left out first: the triangles of the others are among the old ones, and where
+  all of these are 0, all new points are on one line, and the polygon is as a set a segment or a point.  The new vertices being on edges of the polygon before, they are in its hull, which is $A$.
 :figure: cutting_corners
 
-$T'$ is a multiset.
+$T'$ is a multiset.  Where no knot of $T$ is more than $k$-fold, the new polygon runs through part of the boundary once, too.
 :::
 */
 
@@ -386,6 +388,43 @@ CLAIM(triangle_with_a_lost_point_runs_back)
     refute(T, polygon_is_convex(3, R, 0, NULL) && !polygon_is_convex(4, S, 0, NULL));
 }
 
+/*
+:::{claim} printed_points_keep_a_point_without_a_share
+:title: With a knot that is more than k-fold the printed points are not those of (4.1.6)
+:zh: 节点超过 k 重时所印顶点与 (4.1.6) 不同
+:kind: counterexample
+:given: a linear curve of the points $r$ and weights $w$ over the knots $T$, of which one is threefold; $T'$, one knot in the domain
+:data: T = 0 1 1 1 2 3; r = (0,0) (1,0) (0,1) (0,0); w = 1 1 1 1; T' = 3/2
+:instead: T = 0 1 1 7/4 2 3
+:then: $N_{2,2}=0$; by the printed cases $r_2$ is the second of the new points, while in the points of (4.1.6) it is left out
+:result: r' as printed = (0,0) (1,0) (0,1) (0,1/2) (0,0); r' of (4.1.6) = (0,0) (0,1) (0,1) (0,1/2) (0,0)
+:method: The printed formulas; and (4.1.6) by its letter, intervals closed on the left.
+:control: the third of the equal knots moved to the right
+:::
+*/
+CLAIM(printed_points_keep_a_point_without_a_share)
+{
+    struct G(refinement) f;
+    num t[7], R[10], w[5], v[8], P[12], y[6], S[10], z[5];
+    G(given_refinement)(T, 1, 6, 1, &f);
+    given_points(T, "r", 4, 2, R + 2);
+    given_points(T, "w", 4, 1, w + 1);
+    for (int i = 0; i < 6; i++)
+        t[1 + i] = f.u[i];
+    int mu = 0;
+    while (equal_q(f.u[mu], f.v[mu]))
+        mu++;
+    G(printed_insertion)(4, 2, 2, t, mu, f.v[mu], R, w, v, P, y);
+    G(refined_by_definition)(4, 1, 2, f.u, f.place, R + 2, w + 1, f.m, f.v, f.at, S, z);
+    found_points(T, "r' as printed", 5, 2, P + 2);
+    found_points(T, "r' of (4.1.6)", 5, 2, S);
+    int different = 0;
+    for (int c = 0; c < 10; c++)
+        different |= !equal_q(P[2 + c], S[c]);
+    about(T, "the printed points are those of (4.1.6)");
+    refute(T, different);
+}
+
 static int positive_on_the_interval(int n, const num_q w[])
 {
     return sign_on(poly_from_bernstein(n, w), from_int_q(0), from_int_q(1), CLOSED) == SIGN_POSITIVE;
@@ -485,6 +524,7 @@ CLAIM(inserted_points_divide_the_edges)
 :needs: vanishing_weight_loses_the_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for, behind it $r_nr_{n+1}$
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
+:hypothesis: printed_points_keep_a_point_without_a_share | no knot of $T$ is more than $k$-fold: else (4.1.6) leaves out a point whose B-spline is 0, which the printed cases keep
 :reading: both_conventions_of_the_span_are_right | at a knot of multiplicity $k$ or more: the printed cases repeat another of two points than intervals closed on the left, by
   which (4.1.6) is read here
 :figure: where_hypotheses_are_needed
@@ -530,6 +570,7 @@ CLAIM(vanishing_weight_loses_the_new_point)
 :holds-by: printed_insertion_keeps_the_curve printed_factors_are_the_discrete_shares inserted_points_divide_the_edges
 :hypothesis: knot_before_the_domain_asks_for_another_point | $\tau_1$ is in the domain: before it the edge $r_0r_1$ is asked for, behind it $r_nr_{n+1}$
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
+:hypothesis: printed_points_keep_a_point_without_a_share | no knot of $T$ is more than $k$-fold: else (4.1.6) leaves out a point whose B-spline is 0, which the printed cases keep
 :reading: both_conventions_of_the_span_are_right | with $\tau_1\in[t_\mu,t_{\mu+1})$ instead, as in algorithm 4.1.1, the formula gives the same factors, or repeats another of two points
 :figure: where_hypotheses_are_needed
 :::
@@ -618,7 +659,7 @@ This is about the $s_i$ that exist.
 :hypothesis: insertion_at_a_clamped_start_asks_for_another_point | $\tau_1>t_1$
 :figure: cutting_corners
 
-The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order of the edges; both ends stay.
+By the formula of the proof the new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order of the edges; both ends stay.
 :::
 
 :::{statement} wang-ch4:lemma-4.2.1-step-first
@@ -635,11 +676,14 @@ The new vertex $i$ is on the edge $r_{i-1}r_i$, one on each edge, in the order o
 :hypothesis: polygon_that_overlaps_itself_loses_convexity | the end of the polygon does not run over its start: not turning back
   is not enough for running through its points once
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T''$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
-:hypothesis: triangle_with_a_lost_point_runs_back | no knot of $T$ is more than $k$-fold: else (4.1.6) leaves out a point whose B-spline is 0, and the polygon may turn back
-:meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
+:hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
+:meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$, and definition 4.2.1, which speaks of a set | The polygon of the points (4.1.6), and that its set of points is a convex curve.
+:reading: triangle_with_a_lost_point_runs_back | that the new polygon, too, runs through part of the boundary of a convex set once, where a knot of $T$ is more than $k$-fold: it may turn back on a line
 :argued: straight polygons, every order and every number of points | The triangles and the identities of one insertion are the same for every order and every
   number of points.  If the new points are on one line, so are the old ones, as for the lemma: so where not all triangles are 0, not all new ones are.  Where all triangles are 0, the polygon goes straight on; its new vertices are on its edges, one on each and in
-  their order, so that the new polygon does.  A knot that $T'$ has made more than $k$-fold repeats a point, and one of the equal points is without a share afterwards.  The new vertices being on edges of the polygon before, they are in its
+  their order, so that the new polygon does.  A knot that $T'$ has made more than $k$-fold repeats a point, and one of the equal points is without a share afterwards.
+  Where a knot of $T$ is more than $k$-fold, points without a share are left out first: the triangles of the others are among the old ones, and where all of these are 0, all
+  new points are on one line, and the polygon is as a set a segment or a point.  The new vertices being on edges of the polygon before, they are in its
   hull, which is $A$.
 :figure: what_convex_must_mean
 :::

@@ -173,7 +173,7 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :confirmed-by: extrapolated_members_keep_positive_weights_inside
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$; at a cusp the line is a point
 :needs: negative_weight_takes_a_point_away | definition 4.1.1: $w_i>0$ | the weights are positive
-:meant: theorem 4.3.1, of which it is a corollary | That the curve is an envelope of these lines, as there.
+:meant: theorem 4.3.1, of which it is a corollary | That the curve is an envelope of these lines, touched by a line in each of its points.
 :figure: nurbs_envelope_families
 
 The lines are segments, the legs that de Boor's algorithm draws last.  Positive weights $w_i$ make the weights of the levels and of the member positive for $t$ and $\tau$ in the span: `extrapolated_members_keep_positive_weights_inside`.

@@ -28,7 +28,7 @@ span; what has to be asked is whether the members exist.
   are left out: their $N_{i,k-r}$ is 0; else (4.1.3) divides by 0
 :hypothesis: span_member_shrinks_at_a_cusp | $\mathbf r'\ne0$
 :meant: the closed domain $[t_k,t_{n+1}]$ and "the same conclusion", that of theorem 4.3.1 | At $t_{n+1}$ the limit from the left, as `def-4.1.1-interval`
-  says; and that the curve is an envelope, as there.
+  says; and that the curve is an envelope, touched by a member in each of its points.
 :reading: whole_member_ends_in_no_interval | at $t=t_{n+1}=\dots=t_{n+k-r}$ by the letter of the half-open intervals: (4.3.3) is
   $0/0$ there
 :figure: nurbs_envelope_whole
@@ -317,7 +317,7 @@ CLAIM(extrapolated_member_has_a_pole)
 :instead: n = 6; t_i = 0 0 0 0 1 1 2 2 2 2
 :then: $t_{i+k-r}-t_i=0$ for an index $i$ of $r+1,\dots,n$, and at $\tau$ the numerator of the printed coefficient of
   $w_i^{[r-1]}$ is not 0
-:result: divisors that are 0 = 1; i = 5; τ - t_i = 1/2
+:result: number of divisors that are 0 = 1; i = 5; τ - t_i = 1/2
 :method: All divisors of (4.1.3) for $i=r+1,\dots,n$ are computed; that none is 0 is what is compared.
 :control: the inner knot double
 :::
@@ -336,7 +336,7 @@ CLAIM(high_knot_leaves_a_point_undefined)
             index = i;
             numerator = sub(tau, t[i]);
         }
-    found_whole(T, "divisors that are 0", zeros);
+    found_whole(T, "number of divisors that are 0", zeros);
     found_whole(T, "i", index);
     found(T, "τ - t_i", numerator);
     about(T, "no divisor t_{i+k-r} - t_i is 0, or no numerator is left");

@@ -412,8 +412,8 @@ change can arise.
 :hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
 :needs: insertion_with_mixed_weights_crosses_more | definition 4.1.1: $w_i>0$ | the weights are positive
 :meant: section 4.1, which defines $\Gamma_k^{(T)}(T')$ | The polygon of the points (4.1.6).
-:reading: averages_between_neighbours_keep_sign_changes | the step for crossings: a mean put between two neighbours, and a number left out
-:reading: cut_corners_meet_a_line_no_more | the step for common points, a piece on the line counting once: the same of a vertex
+:reading: averages_between_neighbours_keep_sign_changes | the step for crossings: a mean put between two neighbours changes nothing, and a number left out adds none
+:reading: cut_corners_meet_a_line_no_more | the step for common points, a piece on the line counting once: a vertex put on an edge changes nothing, and one taken away adds none
 :reading: knots_outside_the_domain_cut_corners | of (4.1.6), intervals closed on the left, for one knot outside the domain, too, over simple knots
 :reading: knot_before_the_domain_asks_for_another_point | of the factors of the proof of lemma 4.2.1, for a knot before or behind the domain: an edge $r_0r_1$ or $r_nr_{n+1}$ would be needed
 :reading: insertion_at_a_clamped_start_asks_for_another_point | of the factors of the proof of lemma 4.2.1, intervals closed on the right, for a $k$-fold $t_1$: it cannot be inserted
