@@ -361,8 +361,8 @@ a quantity has been lost: none of them says how high the triangle is.
 :meant: the theorem itself, which names $\theta$ and $l$ as given numbers and says that three equations suffice | $\theta$ is any angle between 0 and $\frac\pi2$.
 :reading: isosceles_triangle_with_another_angle | $\theta$ is any angle that satisfies the three equations, as the theorem
   has it, or $\arccos\sqrt{I_1}$; nothing ties the height of the triangle to it
-:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation; `arc_and_its_central_angle` says that the equations suffice,
-  `curve_on_a_circle_has_five_conditions` and `arcs_satisfy_the_three_equations` that they are necessary
+:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation; of the three steps of the correction below the first says that the
+  equations suffice, the others that they are necessary
 :reading-with: curve_on_a_circle_has_five_conditions arcs_satisfy_the_three_equations
 :striking: 2
 :figure: circular_arc_extra

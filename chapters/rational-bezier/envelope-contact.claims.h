@@ -46,6 +46,7 @@ binomial coefficients.
 :confirmed-by: expansion_about_the_contact osculating_flats_agree unweighted_derivatives_are_parallel curvature_of_the_member
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else (3.3.3) may give no point, and no member with it
+:needs: cut_outside_can_fail | the formula (3.3.4): $a\le c\le b$ | $a\le c\le b$: outside a weight of the triangle may vanish, as $\omega_1^1$ in the example, whatever the other weights are
 :figure: envelope_contact
 :striking: 1
 
@@ -100,7 +101,7 @@ CLAIM(expansion_about_the_contact)
 :method: All in the field with $n$ and $m$ variables; the derivatives by Leibniz' rule, $\kappa^2$ by the kernel in the
   plane and in space.  The ratio is less than 1 because $r\ge1$.
 :degrees: all
-:over: n X# Y# mu: -; m: r; p#: points
+:over: n m X# Y# mu: -; p#: points
 :control: the ratio $\frac{n-r-1}{n-1}$
 :::
 */
@@ -161,7 +162,7 @@ CLAIM(member_is_flatter_by_a_fixed_ratio)
   $m\ge k$, are positive and not larger, and for $m<k$ the member's coefficient is 0.  So the coefficients of $x^k$
   differ and those before agree: order exactly $k-1$.
 :degrees: all
-:over: m j k c N: -; r
+:over: m j k c N r: -
 :control: $n-1$ in the place of $n$ in the products
 :::
 */
