@@ -649,8 +649,8 @@ determinant is identically 0.
   common_zero_makes_the_equation_vanish elevation_multiplies_by_one_plus_u
 :argued: | The point of $t\ne a$ is that of $u=\frac{b-t}{t-a}$, by (3.4.3); a square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$, the point of
   $t=a$, its first column is 0.  If the terms of degree $n$ vanished, so would a resultant for every $x:y$, and one zero of the denominator would be a zero of both numerators.  Where $F=0$ the rows are
-  dependent: $gp+hq=0$ with $p=A-xW$, $q=B-yW$ and $g$, $h$ of degree less than $n$, not both 0; so $p$ and $q$ have a common zero, $u=\infty$ included, as $h$ has fewer than $n$ zeros; there $W\ne0$, for
-  else $A=B=0$, too: it is the parameter of the point.
+  dependent: $gp+hq=0$ with $p=A-xW$, $q=B-yW$ and $g$, $h$ of degree less than $n$, not both 0; so $p$ is 0, or one of its $n$ zeros, $u=\infty$ included, is one of $q$, as $h$ has fewer.  At the
+  common zero $W\ne0$, for else $A=B=0$, too: it is the parameter of the point.
 :hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, real or complex; else $F$ is 0
   for all $(x,y)$
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$; with $\omega_0=0$ the first
