@@ -33,7 +33,7 @@ binomial coefficients.
 :reading: quartic_member_meets_the_curve_twice | $n-r$ coincident intersections, as some count; in the example there are two
   for either level
 :reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$; so they are for equal weights,
-  whose derivatives are the homogeneous ones (`members_are_flatter_powers`; computed for $n\le6$ in `unweighted_derivatives_are_parallel`), but not for the others of the example
+  whose derivatives are the homogeneous ones (by the step of the correction on the members and the curve at the contact; run for $n\le6$, too), but not for the others of the example
 :reading: members_are_flatter_powers | the same osculating line, plane, ... up to dimension $n-r$, for all weights,
   which in the plane says nothing from dimension 2 on | Since a homogeneous factor $D(c+h)$ is $D(c)+h\delta$, the homogeneous derivatives of order $k\le n-r$ of member and curve are
   $\frac{(n-r)!}{(n-r-k)!}$ and $\frac{n!}{(n-k)!}$ times one vector; the factors are not 0, so the derivatives of the member span what those of the curve do.
