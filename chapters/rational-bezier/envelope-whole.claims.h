@@ -46,6 +46,7 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else (3.3.3) may give no point, and no member with it
 :needs: cut_outside_can_fail | the theorem: $a\le c\le b$ | $a\le c\le b$: outside a weight of the triangle may vanish, as $\omega_1^1$ in the example, whatever the other weights are
+:needs: member_may_have_a_pole_outside | the theorem: $a\le t\le b$ | $a\le t\le b$: outside the denominator may vanish although all $\omega_i>0$
 :figure: envelope_extra
 
 The text has something of both readings: the word, and the contact at $c=t$ that follows, speak for the first, the sign of equality for the second; what
