@@ -154,11 +154,11 @@ the equation.
 :zh: n 次有理曲线是 n 次代数曲线
 :printed: Theorem 3.4.2 shows that a plane rational Bézier curve of degree $n$ is a plane algebraic curve of degree $n$.
 :meant: theorem 3.4.2, whose $F$ has a degree | The $F$ of (3.4.1) is 0 at the points of the curve and has the degree $n$, repeated factors counted.
-:holds-by: rows_of_the_determinant_are_shifted_equations mean_grows_by_one_term change_of_parameter_acts_on_one_factor
-  top_form_is_a_resultant_row_by_row bernstein_sum_of_powers_is_a_power
-:confirmed-by: equation_vanishes_on_the_curve top_form_is_a_resultant
-:argued: | A square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$ its first column is 0; and if the terms of degree $n$ vanished, so would a resultant for
-  every $x:y$, and one zero of the denominator would be a zero of both numerators.
+:holds-by: rows_of_the_determinant_are_shifted_equations sums_are_the_denominator_times_a_difference
+  change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power top_form_is_a_resultant_row_by_row
+:confirmed-by: parameter_change_and_its_inverse equation_vanishes_on_the_curve top_form_is_a_resultant
+:argued: | The point of $t\ne a$ is that of $u=\frac{b-t}{t-a}$, by (3.4.3); a square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$, the point of
+  $t=a$, its first column is 0; and if the terms of degree $n$ vanished, so would a resultant for every $x:y$, and one zero of the denominator would be a zero of both numerators.
 :hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, real or complex; else $F$ is 0
   for all $(x,y)$, and theorem 3.4.2 says nothing of the degree of the curve
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$; with $\omega_0=0$ the first

@@ -18,14 +18,14 @@ base angle $\angle R_1R_0R_2$ in its derivation.
 :zh: 曲线为圆弧的系数条件
 :printed: By theorem 3.5.1, when $I_1<1$, it is easily seen that the curve (3.1.5) is an arc of a circle with the central angle $2\theta$ if and only if $B=0$,
   $A=C$.
-:meant: the next formula, $\frac{l^2}{l^2+y_1^2}=\cos^2\theta$ | $\theta$ is the base angle of the triangle.
+:meant: the formula that follows in the source, $\frac{l^2}{l^2+y_1^2}=\cos^2\theta$ | $\theta$ is the base angle of the triangle.
 :holds-by: circles_among_the_conics_of_the_curve arc_and_its_central_angle curve_on_a_circle_has_five_conditions
 :confirmed-by: arcs_satisfy_the_three_equations
 :needs: negative_weight_gives_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive; otherwise the central angle may be $2\pi-2\theta$.
 :figure: circular_arc
 
-If: $B=0$ and $A=C$ say that $x_1=0$ and $\omega^2=\frac{l^2}{l^2+y_1^2}$, and this is the arc of `arc_and_its_central_angle`.  Only if: a curve on a circle has
+If: $B=0$ and $A=C$, for the coefficients (3.5.4), say that $x_1=0$ and $\omega^2=\frac{l^2}{l^2+y_1^2}$, and this is the arc of `arc_and_its_central_angle`.  Only if: a curve on a circle has
 $\|R_0R_1\|=\|R_2R_1\|$, so $x_1=0$, and $\omega^2\|R_0R_1\|^2=l^2$, by `curve_on_a_circle_has_five_conditions`.  Right angles and equal units on the axes, as the special coordinates have them, are used.
 :::
 
@@ -180,12 +180,12 @@ base angle picks it out.
 :::{statement} wang-ch3:3.5-circle-conditions
 :title: The same in terms of the triangle and the weight
 :zh: 等价的几何条件
-:printed: For $I_1<1$ this is equivalent to $x_1=0$, $\omega^2=\frac{l^2}{l^2+y_1^2}=\cos^2\theta$.
+:printed: For $I_1<1$ the condition $B=0$, $A=C$ is equivalent to $x_1=0$, $\omega^2=\frac{l^2}{l^2+y_1^2}=\cos^2\theta$.
 :holds-by: circles_among_the_conics_of_the_curve base_angle_of_the_triangle arc_and_its_central_angle
 :meant: the sentence before, in which the central angle of the arc is $2\theta$ | $\theta$ is half the central angle, which is the base angle of the triangle.
 :figure: circular_arc
 
-For a true triangle $I_1<1$ follows and is not needed; for three points on a line it makes either side false.
+$A$, $B$, $C$ are the coefficients (3.5.4).  For a true triangle $I_1<1$ follows and is not needed; for three points on a line it makes either side false.
 :::
 
 :::{claim} base_angle_of_the_triangle
@@ -361,8 +361,8 @@ a quantity has been lost: none of them says how high the triangle is.
 :meant: the theorem itself, which names $\theta$ and $l$ as given numbers and says that three equations suffice | $\theta$ is any angle between 0 and $\frac\pi2$.
 :reading: isosceles_triangle_with_another_angle | $\theta$ is any angle that satisfies the three equations, as the theorem
   has it, or $\arccos\sqrt{I_1}$; nothing ties the height of the triangle to it
-:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation; `arc_and_its_central_angle` says that the equations suffice,
-  `curve_on_a_circle_has_five_conditions` and `arcs_satisfy_the_three_equations` that they are necessary
+:reading: arc_and_its_central_angle | $\theta$ is the base angle $\angle R_1R_0R_2$, as in the derivation; of the three steps of the correction below the first says that the
+  equations suffice, the others that they are necessary
 :reading-with: curve_on_a_circle_has_five_conditions arcs_satisfy_the_three_equations
 :striking: 2
 :figure: circular_arc_extra

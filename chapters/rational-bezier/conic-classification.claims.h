@@ -311,10 +311,10 @@ CLAIM(discriminant_in_special_coordinates)
   discriminant_in_special_coordinates directions_at_infinity
 :needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on a line:
   $l\ne0$, $y_1\ne0$.
-:needs: weight_minus_one_is_a_parabola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
-  positive: so $\omega>0$.
-:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
-  positive: so $\omega\ne0$.
+:needs: weight_minus_one_is_a_parabola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega>-1$: so it is for
+  positive weights; for $\omega=-1$, as in the example, the denominator is 0 at $u=\frac12$.
+:needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega\ne0$: so it is for
+  positive weights.
 :figure: classification_by_weight
 
 $\omega^2$ is the invariant $I_1$, and $\omega>0$.  With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for $\omega\ne0$.
@@ -474,7 +474,7 @@ its hypotheses is needed, and an example without it stands beside.
 :confirmed-by: points_at_infinity_tell_the_kind
 :needs: flat_triangle_is_no_conic | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on a line.
 :needs: opposite_weights_are_a_hyperbola | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_0\omega_2>0$: so it is for positive weights.
+  $\omega_0\omega_2>0$: so it is for positive weights; for $\omega_0\omega_2<0$, as in the example, the denominator is 0 between the ends.
 :needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_1\ne0$: so it is for
   positive weights.
 :meant: theorem 3.5.2, whose circular arcs have $I_1<1$ | A circle is an ellipse.

@@ -33,7 +33,7 @@ binomial coefficients.
 :reading: quartic_member_meets_the_curve_twice | $n-r$ coincident intersections, as some count; in the example there are two
   for either level
 :reading: weighted_member_has_other_directions | parallel derivatives up to order $n-r$; so they are for equal weights,
-  whose derivatives are the homogeneous ones (`members_are_flatter_powers`; computed for $n\le6$ in `unweighted_derivatives_are_parallel`), but not for the others of the example
+  whose derivatives are the homogeneous ones (by the step of the correction on the members and the curve at the contact; run for $n\le6$, too), but not for the others of the example
 :reading: members_are_flatter_powers | the same osculating line, plane, ... up to dimension $n-r$, for all weights,
   which in the plane says nothing from dimension 2 on | Since a homogeneous factor $D(c+h)$ is $D(c)+h\delta$, the homogeneous derivatives of order $k\le n-r$ of member and curve are
   $\frac{(n-r)!}{(n-r-k)!}$ and $\frac{n!}{(n-k)!}$ times one vector; the factors are not 0, so the derivatives of the member span what those of the curve do.
@@ -46,6 +46,7 @@ binomial coefficients.
 :confirmed-by: expansion_about_the_contact osculating_flats_agree unweighted_derivatives_are_parallel curvature_of_the_member
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else (3.3.3) may give no point, and no member with it
+:needs: cut_outside_can_fail | the formula (3.3.4): $a\le c\le b$ | $a\le c\le b$: outside a weight of the triangle may vanish, as $\omega_1^1$ in the example, whatever the other weights are
 :figure: envelope_contact
 :striking: 1
 
@@ -100,7 +101,7 @@ CLAIM(expansion_about_the_contact)
 :method: All in the field with $n$ and $m$ variables; the derivatives by Leibniz' rule, $\kappa^2$ by the kernel in the
   plane and in space.  The ratio is less than 1 because $r\ge1$.
 :degrees: all
-:over: n X# Y# mu: -; m: r; p#: points
+:over: n m X# Y# mu: -; p#: points
 :control: the ratio $\frac{n-r-1}{n-1}$
 :::
 */
@@ -161,7 +162,7 @@ CLAIM(member_is_flatter_by_a_fixed_ratio)
   $m\ge k$, are positive and not larger, and for $m<k$ the member's coefficient is 0.  So the coefficients of $x^k$
   differ and those before agree: order exactly $k-1$.
 :degrees: all
-:over: m j k c N: -; r
+:over: m j k c N r: -
 :control: $n-1$ in the place of $n$ in the products
 :::
 */

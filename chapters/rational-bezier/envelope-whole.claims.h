@@ -28,12 +28,12 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   $n-r$ ($r=1,2,\dots,n-1$) that (3.3.2), (3.3.3) determine, that is
   $\mathbf R(t)=\operatorname{env}\{\mathbf R^{[n-r]}(t,c),\ a\le t\le b\mid a\le c\le b\}$ with the curves of (3.3.4).
 :reading: members_are_flatter_powers | "an envelope", a curve that in each of its points is touched by a member,
-  wherever $\mathbf R'\ne0$; it is touched by `members_are_flatter_powers`, a step of the correction below, and the members exist by `cut_coefficients_are_convex`
+  wherever $\mathbf R'\ne0$; that it is touched is the step of the correction on the members and the curve at the contact, and what decides this reading shows that the members exist
 :reading-with: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power cut_coefficients_are_convex
 :reading: cubic_family_has_another_envelope | "the envelope", all points that satisfy the envelope condition, as the equality sign says; the condition is
   that the derivatives of the point of the member by $t$ and by $c$ are parallel, and already the cubic $(\tau,\tau^3)$ has another such point
-:reading: convex_quartic_has_another_envelope | the same with the restriction to curves without inflections
-:reading: flat_point_has_another_envelope | the same for $r=1$, with the restriction to curves with $\mathbf R'\times\mathbf R''\ge0$
+:reading: convex_quartic_has_another_envelope | all points that satisfy the envelope condition, for curves without inflections
+:reading: flat_point_has_another_envelope | all points that satisfy the envelope condition, for $r=1$ and curves with $\mathbf R'\times\mathbf R''\ge0$
 :corrected: For a plane curve with the homogeneous points $P_i=(\omega_i\mathbf R_i,\omega_i)$, their polar form $p$, $q(x,y)=p(c^{r-1},t^{n-r-1},x,y)$, $\delta=1-0$ and
   $w_r(c,t)=\det(q(0,0),q(0,\delta),q(\delta,\delta))$ the points that satisfy the envelope condition are $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; with positive weights they are
   $\mathbf R$ alone when the $\mathbf R_i$ are, in this order, the corners of a strictly convex polygon, so always for $n=2$ and a true triangle; for $r=1$
@@ -45,6 +45,8 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 :confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes second_envelopes_by_elimination
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else (3.3.3) may give no point, and no member with it
+:needs: cut_outside_can_fail | the theorem: $a\le c\le b$ | $a\le c\le b$: outside a weight of the triangle may vanish, as $\omega_1^1$ in the example, whatever the other weights are
+:needs: member_may_have_a_pole_outside | the theorem: $a\le t\le b$ | $a\le t\le b$: outside the denominator may vanish although all $\omega_i>0$
 :figure: envelope_extra
 
 The text has something of both readings: the word, and the contact at $c=t$ that follows, speak for the first, the sign of equality for the second; what

@@ -171,6 +171,7 @@ the factor $(n-r)/n$.  So wherever the curve has a tangent at all, the member ha
 :hypothesis: member_shrinks_at_a_cusp | $\mathbf R'(c)\ne0$; where it vanishes the member may be a single point
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive
+:needs: cut_outside_can_fail | the formula (3.3.4): $a\le c\le b$ | $a\le c\le b$: outside a weight of the triangle may vanish, as $\omega_1^1$ in the example, whatever the other weights are
 :meant: the words point of contact (接触点) | A point that both curves have, and in which they have one tangent.
 :figure: envelope_cusp
 

@@ -281,7 +281,7 @@ CLAIM(triangle_of_powers_consists_of_powers)
   quotient.  By (1) and the binomial theorem the member at $c+h$ is $\sum_k\binom mkh^k\delta^kD(c)^{n-k}$, with the
   same $\delta^kD(c)^{n-k}=p(c^{n-k},\delta^k)$ for every $m$.
 :degrees: all
-:over: Z#: points; U#: weights; N# W# m t h: -; r; c
+:over: Z#: points; U#: weights; N# W# m t h r c: -
 :control: $m$ for $\frac mn$ in (3)
 :::
 */

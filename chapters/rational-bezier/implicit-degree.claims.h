@@ -371,7 +371,7 @@ for $n=1$ to $6$ this is run in `changed_entries_are_constants`.
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: variables_stay_in_the_first_columns
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$:
-  $\Omega_i$ divides by it; in the example with $\omega_0=0$ the determinant is 0
+  $\Omega_i$ divides by it, and without it there is no (3.4.8); the conclusion alone holds in the example, too, where $F$ is 0
 
 The variables stand in $n$ columns, in degree one: a product of one entry from every column has degree at most $n$.
 :::

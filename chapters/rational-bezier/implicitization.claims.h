@@ -399,8 +399,7 @@ elsewhere gives a point off the arc, or no point at all.
 :meant: (3.4.5), which is printed without a range, and the conclusion drawn by the theory of resultants, for which any common root counts | A
   common root of the two polynomials, real or complex.
 :class: missing-hypothesis
-:reading: positive_denominator_times_a_difference | a common root $u\ge0$, the range of (3.4.4) being carried over to (3.4.5): then it is right for positive weights | By (3.4.3)
-  the parameter $u=\frac{b-t}{t-a}$ runs once through $[0,\infty)$ while $t$ runs through $(a,b]$; the point of $t=a$ is that of $a_0=b_0=0$.
+:reading: positive_denominator_times_a_difference | a common root $u\ge0$, the range of (3.4.4) being carried over to (3.4.5): then it is right for positive weights
 :reading-with: parameter_change_and_its_inverse change_of_parameter_acts_on_one_factor bernstein_sum_of_powers_is_a_power
   quotients_of_large_parameters_lead_to_the_first_point
 :reading: common_root_of_a_point_off_the_arc | a common root, as it is printed, real or complex
@@ -649,14 +648,17 @@ determinant is identically 0.
 :confirmed-by: parameter_change_and_its_inverse equation_vanishes_on_the_curve top_form_is_a_resultant
   common_zero_makes_the_equation_vanish elevation_multiplies_by_one_plus_u
 :argued: | The point of $t\ne a$ is that of $u=\frac{b-t}{t-a}$, by (3.4.3); a square matrix that takes a vector that is not 0 to 0 has the determinant 0, and at $\mathbf R_0$, the point of
-  $t=a$, its first column is 0; and if the terms of degree $n$ vanished, so would a resultant for every $x:y$, and one zero of the denominator would be a zero of both numerators.
+  $t=a$, its first column is 0.  If the terms of degree $n$ vanished, so would a resultant for every $x:y$, and one zero of the denominator would be a zero of both numerators.  Where $F=0$ the rows are
+  dependent: $gp+hq=0$ with $p=A-xW$, $q=B-yW$ and $g$, $h$ of degree less than $n$, not both 0; so $p$ is 0, or one of its $n$ zeros, $u=\infty$ included, is one of $q$, as $h$ has fewer.  At the
+  common zero $W\ne0$, for else $A=B=0$, too: it is the parameter of the point.
 :hypothesis: elevated_curve_has_no_equation | the two numerators and the denominator of (3.4.4) have no common zero, real or complex; else $F$ is 0
   for all $(x,y)$
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$; with $\omega_0=0$ the first
   column vanishes, and $u=\infty$ is a common zero
 :needs: space_curve_and_its_shadow | the theorem, in which the $\mathbf R_i$ are coplanar | the curve is plane; for a curve of
   space $F=0$ is the equation of a projection, and holds at points that belong to no parameter, as in the example
-:meant: the proof, which shows that $F$ is 0 at the points of the curve, and the word equation | Every point of the curve satisfies $F=0$, and this is an equation: $F$ is not the zero polynomial.
+:meant: the proof, in which $F$ is the resultant of (3.4.5), and the word equation | $F=0$ at every point of the curve, $F$ is not the zero polynomial, and every point with $F=0$ is that of a parameter
+  $u$, real, complex or $\infty$.
 :reading: rows_of_the_determinant_are_shifted_equations | every point of the curve satisfies $F=0$; this needs none of the hypotheses on weights and common zeros | At the
   point of $t\ne a$, which is that of $u=\frac{b-t}{t-a}$ by (3.4.3), the sums of (3.4.5) are 0; a square matrix that takes a vector that is not 0 to 0 has the determinant 0.  At
   $\mathbf R_0$, the point of $t=a$ and of no $u$, the first column is 0.

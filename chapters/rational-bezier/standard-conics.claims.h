@@ -243,7 +243,7 @@ are to be changed first.
 :::{statement} wang-ch3:3.5-same-shape
 :title: The standard form has the same shape
 :zh: 标准形的形状不变
-:printed: By theorem 3.2.1 the shape of this curve is the same as that of (3.1.5).
+:printed: By theorem 3.2.1 the shape of this curve, $R^*(u)$, is the same as that of (3.1.5).
 :holds-by: standard_form_by_a_change_of_parameter standard_parameter_runs_through_the_interval
 :needs: negative_weights_lose_their_sign | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: else it may be the other arc; in the example $R(u)$ is below the base, where the arc of the positive standard weights has no point.
