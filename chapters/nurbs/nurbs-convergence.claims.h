@@ -19,9 +19,9 @@ of the curve and the curve does not jump, and then with the square of the larges
   $\lim_{m\to\infty}\Gamma_k^{(T)}(T_m')=r_k(t)$ (4.1.10)
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
-:hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k<t_{k+1}$: so the polygon begins with the curve; otherwise $r_1$ may keep its distance, and it is a
+:hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k<t_{k+1}$: so the polygon begins with the curve; otherwise $r_1$ may keep its distance, and where $t_1<t_{k+1}$ it is a
   vertex of every polygon, whatever is inserted, as of the $\alpha_{i,k}(1)$ only $\alpha_{1,k}(1)$ is not $0$
-:hypothesis: simple_end_keeps_the_last_vertex | $t_n<t_{n+1}=t_{n+k-1}$: so the polygon ends with the curve; otherwise $r_n$ may keep its distance, and it is a
+:hypothesis: simple_end_keeps_the_last_vertex | $t_n<t_{n+1}=t_{n+k-1}$: so the polygon ends with the curve; otherwise $r_n$ may keep its distance, and where $t_n<t_{n+k}$ it is a
   vertex of every polygon, as of the $\alpha_{i,k}(j)$ of the last point $j$ only $\alpha_{n,k}(j)$ is not $0$
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide: otherwise every
   polygon, whatever is inserted, keeps the edge over which the curve jumps
