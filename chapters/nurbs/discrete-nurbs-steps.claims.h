@@ -296,7 +296,7 @@ Insert one knot often enough and a new point is the point of the curve.
 :confirmed-by: point_before_a_k_fold_start_has_no_share
 :meant: the index $\mu$ of the vertex, and the proof of lemma 4.2.1 | The interval is $(t_\mu,t_{\mu+1}]$; for the letter $u$ see `thm-4.1.1-index`.
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive: otherwise $w(t')$, which is the weight of $r_\mu$, may be $0$
-:hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot of $T$: at a $k$-fold one $r_\mu$ is the
+:hypothesis: left_value_at_a_k_fold_knot | $t'$ is at most a $(k-1)$-fold knot of $T$, unless it is $t_k$ or $t_{n+1}=\dots=t_{n+k}$: at a $k$-fold one $r_\mu$ is the
   limit of the curve from the left
 :hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is at least a $k$-fold knot: for $t_1=t_k$ it is $\mu=0$, and there is no
   $r_0$; for $t_1<t_k$ the point $r_\mu$ has no share in the curve
@@ -542,8 +542,8 @@ CLAIM(clamped_start_has_no_such_point)
 :printed: Let $t'\in(t_u,t_{u+1}]$; the vertex $r_{\mu,k}^{(T,\{t'\}^{k-1})}$ of (4.1.9) has the index $\mu$
 :class: misprint
 :refuted-by: index_of_another_interval_is_another_point
-:corrected: $t'\in(t_\mu,t_{\mu+1}]$; with the two hypotheses of `formula-4.1.9`: inside the domain $t'$ is at most a $(k-1)$-fold knot, and $t'>t_k$ when $t_k$ is at least a
-  $k$-fold knot
+:corrected: $t'\in(t_\mu,t_{\mu+1}]$; with the two hypotheses of `formula-4.1.9`: $t'$ is at most a $(k-1)$-fold knot of $T$, unless it is $t_k$ or $t_{n+1}=\dots=t_{n+k}$, and $t'>t_k$ when
+  $t_k$ is at least a $k$-fold knot
 :corrected-by: repeated_insertion_reaches_the_curve
 :figure: insertion_to_the_curve
 
@@ -592,7 +592,7 @@ CLAIM(index_of_another_interval_is_another_point)
 :holds-by: steps_of_refinement_compose weights_of_both_steps_are_positive refined_data_give_the_same_curve repeated_insertion_reaches_the_curve
 :hypothesis: knot_at_a_k_fold_end_has_no_shares | every knot of $T'$ is in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
 :hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
-:hypothesis: left_value_at_a_k_fold_knot | inside the domain $t'$ is at most a $(k-1)$-fold knot: for (4.1.9)
+:hypothesis: left_value_at_a_k_fold_knot | $t'$ is at most a $(k-1)$-fold knot of $T$, unless it is $t_k$ or $t_{n+1}=\dots=t_{n+k}$: for (4.1.9)
 :hypothesis: clamped_start_has_no_such_point | $t'>t_k$ when $t_k$ is at least a $k$-fold knot: for (4.1.9)
 :needs: negative_weight_loses_a_new_point | definition 4.1.1: $w_i>0$ | the weights are positive
 :figure: insertion_to_the_curve

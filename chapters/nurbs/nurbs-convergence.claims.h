@@ -19,21 +19,25 @@ of the curve and the curve does not jump, and then with the square of the larges
   $\lim_{m\to\infty}\Gamma_k^{(T)}(T_m')=r_k(t)$ (4.1.10)
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
-:hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve; otherwise $r_1$ may keep its distance, and it is a
+:hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k<t_{k+1}$: so the polygon begins with the curve; otherwise $r_1$ may keep its distance, and where $t_1<t_{k+1}$ it is a
   vertex of every polygon, whatever is inserted, as of the $\alpha_{i,k}(1)$ only $\alpha_{1,k}(1)$ is not $0$
+:hypothesis: simple_end_keeps_the_last_vertex | $t_n<t_{n+1}=t_{n+k-1}$: so the polygon ends with the curve; otherwise $r_n$ may keep its distance, and where $t_n<t_{n+k}$ it is a
+  vertex of every polygon, as of the $\alpha_{i,k}(j)$ of the last point $j$ only $\alpha_{n,k}(j)$ is not $0$
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide: otherwise every
   polygon, whatever is inserted, keeps the edge over which the curve jumps
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
-:meant: definition 4.1.1, which says what the polygon is | The whole polygon, so that the first hypothesis is needed.
+:meant: definition 4.1.1, which says what the polygon is | The whole polygon, so that its ends count, too.
 :reading: first_vertex_stays_off_the_curve | the whole polygon, over any knots
 :reading: polygon_is_within_the_bound_of_the_spline | the part of the polygon over the domain, over knots that are at most $(k-2)$-fold inside: it is near
   the spline, with a bound by the points of $f''$
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
   that of the parabola with the second derivative $M$.  By the identities that is at most $\frac k{24}h^2M$, the same $M$ serves for
-  all refinements.  Let $T_m'$ be the knots that halve every gap $m$ times: they are nested, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon passes through the curve,
-  and either side is treated alone.
+  all refinements.  Let $T_m'$ be the knots that halve every gap $m$ times: they are nested, and $h_m\to0$.  At a $(k-1)$-fold knot, and at one of more where the points coincide, the polygon
+  passes through the curve, and either side is treated alone.  The knots inserted before $t_2$ or behind $t_{n+k-1}$ only repeat $r_1$ and $r_n$.
 :figure: nurbs_polygons_converge
 :striking: 42
+
+For $k=2$ there is nothing to be decided: the curve is its polygon, and every refined polygon is the same polyline.
 :::
 
 :::{statement} wang-ch4:remark-4.1.1-convergence
@@ -45,7 +49,8 @@ of the curve and the curve does not jump, and then with the square of the larges
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knot_at_an_outer_end_has_no_shares | the knots of the $T_m'$ are in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, the largest gap $h_m\to0$
-:hypothesis: first_vertex_stays_off_the_curve | $t_2=t_k<t_{k+1}$ and $t_n<t_{n+1}=t_{n+k-1}$: so the polygon begins and ends with the curve
+:hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k<t_{k+1}$: so the polygon begins with the curve
+:hypothesis: simple_end_keeps_the_last_vertex | $t_n<t_{n+1}=t_{n+k-1}$: so the polygon ends with the curve
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide
 :meant: definition 4.1.1, which says what the polygon is, and section 2.10 | The whole polygon, so that its ends count, too; the $\alpha$ of (4.1.6) with intervals
   closed on the left, see `formula-4.1.6`.
@@ -54,7 +59,8 @@ of the curve and the curve does not jump, and then with the square of the larges
   the spline, with a bound by the points of $f''$
 :argued: | A function with a convex polygon lies above it, by Jensen's inequality; so the distance of a spline from its polygon is at most
   that of the parabola with the second derivative $M$.  By the identities that is at most $\frac k{24}h^2M$, the same $M$ serves for
-  all refinements, and $h_m\to0$.  At a $(k-1)$-fold knot the polygon passes through the curve, and either side is treated alone.
+  all refinements, and $h_m\to0$.  At a $(k-1)$-fold knot, and at one of more where the points coincide, the polygon passes through the curve, and either
+  side is treated alone.  Knots inserted before $t_2$ or behind $t_{n+k-1}$ only repeat $r_1$ and $r_n$.
 :figure: no_convergence
 :::
 
@@ -418,8 +424,8 @@ static void G(halve_gaps)(int p, int count, const num u[], int m, struct G(refin
 }
 
 /*
-Each of the three hypotheses is now left out in turn: that the polygon begins and ends with the curve, that the knots become
-dense, and that the curve does not jump. In all three the polygon keeps a vertex or an edge for good, however many knots are
+Each of the hypotheses is now left out in turn: that the polygon begins and ends with the curve, that the knots become
+dense, and that the curve does not jump. In all of them the polygon keeps a vertex or an edge for good, however many knots are
 inserted.
 
 :::{claim} first_vertex_stays_off_the_curve
@@ -457,6 +463,68 @@ CLAIM(first_vertex_stays_off_the_curve)
     about(T, "whether the first vertex is not left of the curve, for one of the refinements");
     agree(T, near > 0);
 }
+
+/*
+One end that is not that of the curve is enough, whatever the other is.
+
+:::{claim} simple_start_keeps_the_first_vertex
+:title: Where the domain begins with a simple knot the first vertex of every polygon stays where it is
+:zh: 左端为单节点时首顶点始终不动
+:kind: counterexample
+:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$, with $t_2<t_3$ and $t_4=t_5$, so that the polygon ends with the
+  curve; $T_m'$ halves every gap $m$ times, $m=1,\dots,M$
+:data: T = -2 -1 0 1 1 3; r = (0,0) (1,2) (2,0); w = 1 1 1; M = 3
+:instead: T = -2 0 0 1 1 3
+:then: the first vertex is $r_1$ for each of these $m$, while the curve, in the hull of its Bézier points $b$, is not to the left of $b_0$
+:result: b = (1/2,1) (1,2) (2,0); the vertex = (0,0)
+:method: (4.1.6) by its letter.  For every $T'$: of the $\alpha_{i,k}(1)$ only $\alpha_{1,k}(1)$ is not $0$.
+:control: a twofold knot at the beginning of the domain, too
+:::
+*/
+/* Whether the first or the last vertex of one of the refinements is not outside the strip of the Bézier points. */
+static int G(end_vertex_comes_near)(trial *T, int last)
+{
+    enum { p = 2, n = 3, count = n + p + 1, dim = 2 };
+    num u[count], R[n * dim], w[n], bezier[n * dim], S[dim * MOST_KNOTS], z[MOST_KNOTS];
+    const num *vertex = S;
+    given_points(T, "T", count, 1, u);
+    given_points(T, "r", n, dim, R);
+    given_points(T, "w", n, 1, w);
+    int most = given_whole(T, "M"), near = 0;
+    G(bspline_to_bezier)(G(on_span)(p, dim, u, p, R), bezier);
+    for (int m = 1; m <= most; m++) {
+        struct G(refinement) r;
+        G(halve_gaps)(p, count, u, m, &r);
+        G(refined_by_definition)(n, p, dim, r.u, r.place, R, w, r.m, r.v, r.at, S, z);
+        vertex = S + (last ? dim * (r.m - 1) : 0);
+        int side = sign_q(sub(vertex[0], bezier[last ? dim * p : 0]));
+        near += last ? side <= 0 : side >= 0;
+    }
+    found_points(T, "b", n, dim, bezier);
+    found_points(T, "the vertex", 1, dim, vertex);
+    about(T, last ? "whether the last vertex is not right of the curve, for one of the refinements"
+                  : "whether the first vertex is not left of the curve, for one of the refinements");
+    return near > 0;
+}
+
+CLAIM(simple_start_keeps_the_first_vertex) { agree(T, G(end_vertex_comes_near)(T, 0)); }
+
+/*
+:::{claim} simple_end_keeps_the_last_vertex
+:title: Where the domain ends with a simple knot the last vertex of every polygon stays where it is
+:zh: 右端为单节点时末顶点始终不动
+:kind: counterexample
+:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$, with $t_2=t_3$ and $t_4<t_5$, so that the polygon begins with the
+  curve; $T_m'$ halves every gap $m$ times, $m=1,\dots,M$
+:data: T = -2 0 0 1 2 3; r = (0,0) (1,2) (2,0); w = 1 1 1; M = 3
+:instead: T = -2 0 0 1 1 3
+:then: the last vertex is $r_3$ for each of these $m$, while the curve, in the hull of its Bézier points $b$, is not to the right of $b_2$
+:result: b = (0,0) (1,2) (3/2,1); the vertex = (2,0)
+:method: (4.1.6) by its letter.  For every $T'$: of the $\alpha_{i,k}(j)$ of the last point only $\alpha_{n,k}(j)$ is not $0$.
+:control: a twofold knot at the end of the domain, too
+:::
+*/
+CLAIM(simple_end_keeps_the_last_vertex) { agree(T, G(end_vertex_comes_near)(T, 1)); }
 
 /*
 :::{claim} knots_on_one_side_do_not_converge

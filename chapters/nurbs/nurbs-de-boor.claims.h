@@ -407,6 +407,8 @@ weights of the levels, which are means of the given ones, are positive.
 :holds-by: every_level_divides_its_edges weights_of_levels_are_positive divisors_contain_the_span
 :needs: negative_weight_divides_outside | definition 4.1.1: $w_i>0$ | the weights are positive: with others an edge may be
   divided outside
+:needs: other_interval_divides_outside | algorithm 4.1.1: $t\in[t_i,t_{i+1})$, whose $i$ is the $j$ of `alg-4.1.1-interval` | $t$ is in
+  $[t_j,t_{j+1})$: with the $j$ of another interval an edge may be divided outside, too
 :figure: deboor_triangle
 
 Level $r$ puts one point on each of the $k-r$ edges of the polygon of level $r-1$ that belongs to the interval.
@@ -508,7 +510,8 @@ CLAIM(weights_of_levels_are_positive)
 :control: all weights positive
 :::
 */
-CLAIM(negative_weight_divides_outside)
+/* Whether the ratio in which the edge of the given linear segment is divided is in [0, 1]. */
+static int G(edge_is_divided_inside)(trial *T)
 {
     num u[4], P[2], w[2];
     given_points(T, "T", 4, 1, u);
@@ -517,8 +520,27 @@ CLAIM(negative_weight_divides_outside)
     G(nurbs_deboor_level)(G(nurbs_on_span)(1, 1, u, 1, NULL, NULL), 1, P, w, given(T, "t"));
     found(T, "λ", P[0]);
     about(T, "0 <= λ <= 1");
-    agree(T, sign_q(P[0]) >= 0 && sign_q(sub(from_int(1), P[0])) >= 0);
+    return sign_q(P[0]) >= 0 && sign_q(sub(from_int(1), P[0])) >= 0;
 }
+
+CLAIM(negative_weight_divides_outside) { agree(T, G(edge_is_divided_inside)(T)); }
+
+/*
+:::{claim} other_interval_divides_outside
+:title: With the index of another interval an edge is divided outside
+:zh: 区间下标不符时外分
+:kind: counterexample
+:given: the first of two linear segments, from $0$ to $1$ on the line, the points $r$, over the knots $T$, with positive weights $w$; a parameter $t$ of the
+  second segment
+:data: T = 0 0 1 2; r = 0 1; w = 1 1/2; t = 3/2
+:instead: t = 1/4
+:then: the ratio $\lambda$ in which the edge is divided is greater than $1$, so outside $[0,1]$
+:result: λ = 3
+:method: The level of the kernel; the point is $\lambda$.
+:control: $t$ in the interval of the first segment
+:::
+*/
+CLAIM(other_interval_divides_outside) { agree(T, G(edge_is_divided_inside)(T)); }
 #endif
 
 /*

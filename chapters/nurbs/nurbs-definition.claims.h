@@ -32,6 +32,8 @@ $$r(t)=\sum_{i=1}^nN_{i,k}(t)\,w_ir_i\Big/\sum_{i=1}^nN_{i,k}(t)\,w_i,\qquad t_k
 :meant: the name control polygon of the $\tilde r_i$, $i=1,2,\dots,n$ | The polygon is $\tilde r_1\tilde r_2\cdots\tilde r_n$, see
   `def-4.1.1-polygon`.
 :figure: nurbs_definition
+
+For which knots the curve is there on the whole range of $t$, its right end included, is the matter of `def-4.1.1-interval`.
 :::
 */
 
@@ -484,7 +486,7 @@ CLAIM(multiple_first_knot_loses_a_point) { agree(T, G(linear_function_counts)(T,
 :figure: nurbs_definition
 
 This is a polynomial spline in four-dimensional space, whatever the weights are; the rational curve is its central projection, for which
-$w(t)\ne0$ is needed.
+$w(t)\ne0$ is needed.  What the range of $t$ asks for is the matter of `def-4.1.1-interval`.
 :::
 
 :::{statement} wang-ch4:formula-4.1.2
@@ -653,11 +655,15 @@ but of other points; the star in the printed formula leaves open which is meant.
   idle
 :reading: bezier_end_belongs_to_no_interval | at $t=t_{k+1}$ by the letter of the half-open intervals, when $t_{2k}=t_{k+1}$:
   all $N_{i,k}$ are $0$ there, while the Bernstein polynomials are not
-:reading: segment_of_any_knots_is_rational_bezier | the starred data are those that `bspline_to_bezier` makes of the given ones in homogeneous
-  coordinates: over simple knots they are others, over the knots of the line the given ones
-:needs: simple_knots_need_other_points | the line itself: $n=k$, $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$ | $n=k$ and
-  $t_2=\dots=t_k<t_{k+1}=\dots=t_{2k-1}$: otherwise the starred data differ from the given ones
+:reading: segment_of_any_knots_is_rational_bezier | the starred data are the Bézier points and weights of the segment, made of the given ones in homogeneous
+  coordinates: over simple knots and for $k\ge3$ they may be others, over the knots of the line they are the given ones
+:needs: simple_start_needs_another_point | the line itself: $t_2=\dots=t_k$ | $t_2=\dots=t_k$: otherwise the curve may begin in another point than $r_1$
+:needs: simple_end_needs_another_point | the line itself: $t_{k+1}=\dots=t_{2k-1}$ | $t_{k+1}=\dots=t_{2k-1}$: otherwise the curve may end in another point than $r_k$
+:needs: no_interval_no_curve | the line itself: $t_k<t_{k+1}$ | $t_k<t_{k+1}$: otherwise the divisor $t_{k+1}-t_k$ is $0$, and the curve may not exist
+:confirmed-by: moved_point_changes_its_support
 :figure: bezier_knots
+
+The equation on $[t_k,t_{k+1}]$ does not need $n=k$, as $r_{k+1},\dots,r_n$ have no share there: `moved_point_changes_its_support`.  For $n=k$ this interval is the whole domain.
 :::
 
 :::{claim} bezier_knots_give_rational_bezier
@@ -787,6 +793,54 @@ CLAIM(simple_knots_need_other_points)
     same(T, P[0], Q[0]);
     same(T, P[1], Q[1]);
 }
+
+/*
+:::{claim} simple_start_needs_another_point
+:title: Where only the end of the domain is a multiple knot the curve begins in another point
+:zh: 仅右端为重节点时曲线不始于首顶点
+:kind: counterexample
+:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$, with $t_2<t_3$ and $t_4=t_5$
+:data: T = -2 -1 0 1 1 3; r = (0,0) (1,2) (2,0); w = 1 1 1
+:instead: T = -2 0 0 1 1 3
+:then: the segment begins in $r(t_3)$, the rational Bézier curve of the same data in $r_1$
+:result: r(t_3) = (1/2,1); rational Bézier curve at 0 = (0,0)
+:method: Both are computed exactly.
+:control: the knots of the condition
+:::
+*/
+/* One end of the given quadratic segment against that of the rational Bézier curve of the same data. */
+static void G(compare_an_end)(trial *T, int last, const char *end, const char *bezier_end)
+{
+    num u[6], R[6], w[3], P[2], Q[2];
+    given_points(T, "T", 6, 1, u);
+    given_points(T, "r", 3, 2, R);
+    given_points(T, "w", 3, 1, w);
+    G(nurbs_point)(G(nurbs_on_span)(2, 2, u, 2, R, w), u[2 + last], P);
+    G(rational_point)(2, 2, R, w, from_int(last), Q);
+    found_points(T, end, 1, 2, P);
+    found_points(T, bezier_end, 1, 2, Q);
+    about(T, "the first and the second coordinate");
+    same(T, P[0], Q[0]);
+    same(T, P[1], Q[1]);
+}
+
+CLAIM(simple_start_needs_another_point) { G(compare_an_end)(T, 0, "r(t_3)", "rational Bézier curve at 0"); }
+
+/*
+:::{claim} simple_end_needs_another_point
+:title: Where only the beginning of the domain is a multiple knot the curve ends in another point
+:zh: 仅左端为重节点时曲线不止于末顶点
+:kind: counterexample
+:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$, with $t_2=t_3$ and $t_4<t_5$
+:data: T = -2 0 0 1 2 3; r = (0,0) (1,2) (2,0); w = 1 1 1
+:instead: T = -2 0 0 1 1 3
+:then: the segment ends in $r(t_4)$, the rational Bézier curve of the same data in $r_3$
+:result: r(t_4) = (3/2,1); rational Bézier curve at 1 = (2,0)
+:method: Both are computed exactly.
+:control: the knots of the condition
+:::
+*/
+CLAIM(simple_end_needs_another_point) { G(compare_an_end)(T, 1, "r(t_4)", "rational Bézier curve at 1"); }
 #endif
 
 #include "chapters/judge/claims_off.h"

@@ -389,7 +389,7 @@ in its interval, they only add, multiply and divide numbers of one sign.
   points, $(k-1)(5k+2)$ for points with weights, and $12$ for the insertion
 :method: The kernels on numbers that count.  For $t$ in the interval the differences $t-t_i$, $t_{i+k-r}-t$ and $t_{i+k-r}-t_i$ are not
   negative, each with one rounding; everything else is products, quotients and sums.  So the result is the sum of
-  $N_{i,k}(t)$ times point $i$ with each term changed by at most that many factors $1\pm u$ or their reciprocals, $u$ the unit of rounding.
+  the points times their shares, $N_{i,k}(t)$ or $N_{i,k}(t)w_i/w(t)$, with each term changed by at most that many factors $1\pm u$ or their reciprocals, $u$ the unit of rounding.
 :degrees: 1..16
 :scope: curves of the plane and of space
 :argued: every order | Level $r$ adds $5$ roundings, with weights $10r+2$, as each of its points is computed with the same operations.
