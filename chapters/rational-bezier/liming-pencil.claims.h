@@ -22,13 +22,12 @@ all triangles.
   conics through $R_0$ and $R_2$ that touch $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$.
 :holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings conics_touching_parallel_lines_are_limings
 :hypothesis: double_line_has_no_tangent | $\lambda\ne1$: otherwise the conic is the line $l_3$ taken twice, which touches nothing.
-:hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$; so that $l_3$ joins two points; $l_1$ and
-  $l_2$ may be parallel.
+:hypothesis: flat_frame_has_no_tangent | $R_0\ne R_2$; so that $l_3$ joins two points, $R_0$ is not on $l_2$, and $R_2$ not on $l_1$.
 :hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3^2=0$ is missing.
 :meant: the equation, which leaves $\lambda l_3^2=0$ where $l_1=0$ or $l_2=0$ | $R_0$ is the point where $l_3$ meets $l_1$, and $R_2$ the point where it meets $l_2$.
 :figure: limings_pencil
 
-The frame $\{R_1;R_1R_0,R_1R_2\}$, for which this is stated (`fig-3.1.1`), is that of the sentences after it, and $l_1$ and $l_2$ are not parallel there.
+That $R_0\ne R_2$ is stated only later, with the frame $\{R_1;R_1R_0,R_1R_2\}$, for which $l_1$ and $l_2$ have to meet; here they may be parallel.
 
 The values and gradients of the members are linear in the two factors $1-\lambda$ and $\lambda$, so what is proved of them is true for the factors $1$ and $-1$ of
 $\lambda=\infty$ as well.
@@ -155,7 +154,7 @@ CLAIM(conics_touching_two_lines_are_limings)
   $R_0$ and $R_2$ whose gradient has no component along the lines there, all $c_i$ being 0, is for $D\ne0$ a combination of $l_1l_2$
   and $l_3^2$
 :method: Identities in $\lambda$, the coordinates of $X$, $R_0$, $R_2$ and $d$, and the six coefficients of $S$.
-:over: S#: conics; R#: points; d#: directions; k: λ; x; y
+:over: S#: conics; R#: points; d#: -; k: λ; x; y
 :control: $c_3+c_4$ for $c_3-c_4$
 :::
 */
