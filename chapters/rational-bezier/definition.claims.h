@@ -276,7 +276,7 @@ CLAIM(rational_point_is_weighted_mean)
 
 With $W$ and $M$ for the weight and the quotient of some of the homogeneous points $B_i^n(t)\tilde{\mathbf R}_i$ together, one more,
 $c(\mathbf R_i,1)$ with $c=B_i^n(t)\omega_i$, makes the quotient $\frac{WM+c\mathbf R_i}{W+c}$; so the quotients of all $n+1$ together are those of
-the two sums.  The derivatives of this quotient are computed as well.
+the two sums.
 :::
 */
 
@@ -689,7 +689,7 @@ CLAIM(ends_do_not_move_with_inner_weight)
   elevation_cuts_corners bernstein_sum_of_powers_is_a_power
 :argued: | That two kinds of curves are similar is a judgement.  It rests here on the properties that both have: invariance, symmetry, the ends, the
   convex hull, elevation, each as in the list that follows.
-:meant: the list that follows | The properties of that list, as far as they are true; decided here of 3.2.1 to 3.2.3, 3.2.5 and 3.2.6.
+:meant: the list of properties that follows | The properties 3.2.1 to 3.2.10, as far as they are true; decided here of 3.2.1 to 3.2.3, 3.2.5 and 3.2.6.
 :needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: for the convex hull
 :confirmed-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images

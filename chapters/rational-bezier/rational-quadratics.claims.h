@@ -112,6 +112,8 @@ written as quotients of three weights (权因子), of which only the one ratio $
   $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | the weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
 :needs: ratios_do_not_exist_at_the_ends | the sentence itself, by which $g_1g_2$ is constant, so that both ratios exist | $0<t<1$;
   the ends $R_0$ and $R_2$ come back in (3.1.5), where $0\le t\le1$.
+
+Three negative weights have the ratios of their absolute values, so that weights of one sign may be taken positive.
 :::
 */
 
@@ -238,7 +240,8 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
   two arcs.
 :figure: tangent_ratios
 
-The arc goes from $R_0$ to $R_2$ inside the triangle, and is all of the conic that is inside.
+The arc goes from $R_0$ to $R_2$ inside the triangle, and is all of the conic that is inside.  Three negative weights give the curve of their absolute values, so
+that weights of one sign may be taken positive.
 :::
 
 Put $g_1$ and $g_2$ into the point and multiply numerator and denominator by $\omega_1t(1-t)$.  What comes out has the
