@@ -29,8 +29,8 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 :needs: negative_weight_reverses_the_end_tangent | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$: for the curve to leave towards $R_k$ and to arrive from $R_{n-h}$:
   otherwise the edge is on the tangent, but behind the end point.
-:meant: the formulas (3.2.3) and (3.2.4), which stand below it and have multiple end points | The end edges are the first and the last of positive
-  length, $R_0R_k$ and $R_{n-h}R_n$.
+:meant: the formulas (3.2.3) and (3.2.4), which stand below it and have multiple end points and, for positive weights, positive factors | The end edges are the
+  first and the last of positive length, $R_0R_k$ and $R_{n-h}R_n$, and the curve goes along them, not against them.
 :figure: end_tangents
 
 Where all points coincide there is neither an edge nor a tangent, and the curve is that point.

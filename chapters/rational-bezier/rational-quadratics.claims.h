@@ -408,6 +408,8 @@ CLAIM(points_alone_do_not_determine_the_arc)
   weights have to give such, too | the new weights, too, are of one sign.
 :meant: the sentence before, by which (3.1.5) represents one arc | The arc stays the same: what changes is its representation, and what does not is the constant.
 :figure: middle_weight_sign
+
+Three negative weights give the curve of their absolute values, so that weights of one sign may be taken positive.
 :::
 
 So the weights may be changed as long as the constant stays.  The curve is then the same, run through at another pace.
