@@ -869,7 +869,7 @@ CLAIM(reversed_points_and_weights_reverse_the_curve)
 :zh: 仅将点倒序得不到 R(1−t)
 :kind: counterexample
 :data: R = 0 1; ω = 1 2; t = 1/2
-:result: reversed points at t = 1/3; R(1-t) = 2/3
+:result: value for the reversed points = 1/3; R(1-t) = 2/3
 :given: two points of the line, weights that are not equal, and the parameter in the middle
 :then: the points in reversed order with the weights in their places have at $t$ another value than $R(1-t)$
 :method: Both are computed exactly.
@@ -886,7 +886,7 @@ CLAIM(reversed_points_alone_do_not_reverse_the_curve)
     G(reversed_points)(1, 1, w, v);
     G(rational_point)(1, 1, Q, fault(T, v, w), t, &a);
     G(rational_point)(1, 1, R, w, sub(from_int(1), t), &b);
-    found(T, "reversed points at t", a);
+    found(T, "value for the reversed points", a);
     found(T, "R(1-t)", b);
     about(T, "left the reversed points at t, right R(1 - t)");
     same(T, a, b);

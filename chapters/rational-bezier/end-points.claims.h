@@ -185,7 +185,7 @@ CLAIM(negative_weight_reverses_the_end_tangent)
 :types: field
 :data: R = R0 R1; ω = 0 w1; ω* = w0 0
 :instead: ω = 1 w1; ω* = w0 1
-:result: R(t) = R1; R(t) continued to 0 = R1; R*(t) = R0; R*(t) continued to 1 = R0
+:result: R(t) = R1; R(t), continued to the start = R1; R*(t) = R0; R*(t), continued to the end = R0
 :given: $n=1$, any points $R_0,R_1$, weights $\omega$ of which the first is 0 and the other any $\omega_1\ne0$, and weights $\omega^*$ of which the last is 0 and the other any
   $\omega_0\ne0$
 :then: $R(t)=\omega_1R_1t/(\omega_1t)$ is $R_1$ for every $t\ne0$; at $t=0$ this quotient is $0/0$ and its continuation is
@@ -205,10 +205,10 @@ CLAIM(zero_end_weight_loses_the_end_point)
         continued[end] = substitute_f(point[end], t, from_int(end));
     }
     found(T, "R(t)", point[0]);
-    found(T, "R(t) continued to 0", continued[0]);
+    found(T, "R(t), continued to the start", continued[0]);
     found(T, "R*(t)", point[1]);
-    found(T, "R*(t) continued to 1", continued[1]);
-    about(T, "whether R(t) continued to 0 is R_0, or R*(t) continued to 1 is R_1");
+    found(T, "R*(t), continued to the end", continued[1]);
+    about(T, "whether R(t), continued to t = 0, is R_0, or R*(t), continued to t = 1, is R_1");
     int lost = !is_zero_f(sub(continued[0], R[0])) + !is_zero_f(sub(continued[1], R[1]));
     agree(T, lost <= fault(T, 0, 1)); /* the control: both */
 }

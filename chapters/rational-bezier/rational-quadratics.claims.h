@@ -170,7 +170,7 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
 :kind: counterexample
 :data: ω_1 = 1; t = 0 1
 :instead: t = 1/2 1/2
-:result: denominators of g_1 = 0 1; denominators of g_2 = 1 0
+:result: denominators of the first ratio = 0 1; denominators of the second ratio = 1 0
 :given: a weight $\omega_1$, and the first and the last parameter
 :then: the denominator $\omega_1t$ of $g_1$ is 0 at the first, and that of $g_2$, $\omega_1(1-t)$, at the last parameter
 :method: The denominators are computed at both parameters.
@@ -187,8 +187,8 @@ CLAIM(ratios_do_not_exist_at_the_ends)
         second[k] = mul(w, sub(from_int(1), t[k]));
         missing += is_zero_q(first[k]) || is_zero_q(second[k]);
     }
-    found_points(T, "denominators of g_1", 2, 1, first);
-    found_points(T, "denominators of g_2", 2, 1, second);
+    found_points(T, "denominators of the first ratio", 2, 1, first);
+    found_points(T, "denominators of the second ratio", 2, 1, second);
     about(T, "whether both ratios exist at one of the two parameters");
     refute(T, missing == 2);
 }

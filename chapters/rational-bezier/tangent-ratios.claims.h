@@ -104,7 +104,7 @@ static struct member_at_point given_member(trial *T, int sign)
 static void found_gradient(trial *T, struct member_at_point m)
 {
     found(T, "S(R)", m.value);
-    found_points(T, "gradient at R", 1, 2, m.gradient);
+    found_points(T, "∇S(R)", 1, 2, m.gradient);
 }
 
 /*
@@ -114,7 +114,7 @@ static void found_gradient(trial *T, struct member_at_point m)
 :kind: counterexample
 :data: λ = 1/2; R = (4/3,1/3)
 :instead: R = (1/3,1/3)
-:result: S(R) = 0; gradient at R = (-1/2,0)
+:result: S(R) = 0; ∇S(R) = (-1/2,0)
 :given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
   sign, outside the triangle
 :then: $S_y=0$, so the printed quotient does not exist
@@ -241,7 +241,7 @@ CLAIM(plus_sign_moves_the_cut)
 :kind: counterexample
 :data: λ = 1/2; R = (1/3,4/3) (4/3,1/3)
 :instead: R = (1/3,1/3) (1/3,1/3)
-:result: S(R) = 0 0; gradients at R = (0,-1/2) (-1/2,0); denominators of X_A and Y_B = 0 0
+:result: S(R) = 0 0; ∇S(R) = (0,-1/2) (-1/2,0); denominators of the two cuts = 0 0
 :given: a $\lambda$ between 0 and 1, and two points $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
   sign, outside the triangle
 :then: at the first $S_x=0$ and $(1-\lambda)y-2\lambda(x+y-1)=0$: there is no point $A$; at the second $S_y=0$ and $(1-\lambda)x-2\lambda(x+y-1)=0$:
@@ -265,8 +265,8 @@ CLAIM(tangent_parallel_to_the_first_side)
         missing += is_zero_q(value[k]) && is_zero_q(gradient[3 * k]) && is_zero_q(below[k]);
     }
     found_points(T, "S(R)", 2, 1, value);
-    found_points(T, "gradients at R", 2, 2, gradient);
-    found_points(T, "denominators of X_A and Y_B", 2, 1, below);
+    found_points(T, "∇S(R)", 2, 2, gradient);
+    found_points(T, "denominators of the two cuts", 2, 1, below);
     about(T, "whether the denominator is not 0, at one of the two points");
     agree(T, missing <= fault(T, 0, 1)); /* the control: at both */
 }
@@ -278,7 +278,7 @@ CLAIM(tangent_parallel_to_the_first_side)
 :kind: counterexample
 :data: λ = 1/2; R = (1,0) (0,1)
 :instead: R = (1/3,1/3) (1/3,1/3)
-:result: S(R) = 0 0; gradients at R = (0,1/2) (1/2,0); numerators of g_1 and g_2 = 0 0; denominators of g_1 and g_2 = 0 0
+:result: S(R) = 0 0; ∇S(R) = (0,1/2) (1/2,0); numerators of the two ratios = 0 0; denominators of the two ratios = 0 0
 :given: a $\lambda$ between 0 and 1, and the points $R_0$ and $R_2$, which are on the curve $S=0$ of (3.1.4) with the minus sign
 :then: $-2\lambda(x+y-1)$ and $(1-\lambda)y$ are both 0 in $R_0$: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself,
   without a point $A$; so it is with $g_2$, $(1-\lambda)x$ and $l_2$ in $R_2$
@@ -299,9 +299,9 @@ CLAIM(end_has_but_one_ratio)
         below[k] = mul(sub(one, lambda), k == 0 ? y : x);
     }
     found_points(T, "S(R)", 2, 1, value);
-    found_points(T, "gradients at R", 2, 2, gradient);
-    found_points(T, "numerators of g_1 and g_2", 2, 1, above);
-    found_points(T, "denominators of g_1 and g_2", 2, 1, below);
+    found_points(T, "∇S(R)", 2, 2, gradient);
+    found_points(T, "numerators of the two ratios", 2, 1, above);
+    found_points(T, "denominators of the two ratios", 2, 1, below);
     int first = is_zero_q(value[0]) && (is_zero_q(gradient[0]) || is_zero_q(below[0]));
     int last = is_zero_q(value[1]) && (is_zero_q(gradient[3]) || is_zero_q(below[1]));
     about(T, "whether the tangent cuts the side in one point and the denominator is not 0, in one of the two points");
@@ -321,7 +321,7 @@ CLAIM(end_has_but_one_ratio)
 :holds-by: ratios_of_lengths_inside_the_triangle signed_ratios_give_the_point ratios_on_the_curve
 :hypothesis: lengths_do_not_tell_points_apart | $R$ lies inside the triangle, or the ratios have signs.
 :needs: tangent_parallel_to_the_first_side | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ | the tangent
-  meets both sides.
+  is parallel to neither $l_1=0$ nor $l_2=0$.
 :needs: end_has_but_one_ratio | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in points $A$ and $B$ | $R\ne
   R_0,R_2$: there the tangent is one of the two lines.
 :figure: tangent_ratios
@@ -393,7 +393,7 @@ With their signs the ratios do tell all points apart, by `signed_ratios_give_the
 :zh: 长度之比不能区分两点
 :kind: counterexample
 :data: λ = 1/2; P = (1/3,1/3); Q = (1,1)
-:result: (g_1, g_2) at P = (2,2); (g_1, g_2) at Q = (2,2)
+:result: at P, (g_1, g_2) = (2,2); at Q, (g_1, g_2) = (2,2)
 :given: a $\lambda$ between 0 and 1, and two points of the curve (3.1.4) with the minus sign, $P$ inside the triangle and $Q$ outside
 :then: both have the same ratios of lengths
 :method: The tangents are intersected with the sides, and the lengths are taken along the sides.
@@ -413,8 +413,8 @@ CLAIM(lengths_do_not_tell_points_apart)
         g[c] = fault(T, g[c], length(g[c]));
         h[c] = fault(T, h[c], length(h[c]));
     }
-    found_points(T, "(g_1, g_2) at P", 1, 2, g);
-    found_points(T, "(g_1, g_2) at Q", 1, 2, h);
+    found_points(T, "at P, (g_1, g_2)", 1, 2, g);
+    found_points(T, "at Q, (g_1, g_2)", 1, 2, h);
     about(T, "whether the ratios tell the points apart");
     refute(T, on_curve && equal_q(g[0], h[0]) && equal_q(g[1], h[1]));
 }
