@@ -575,7 +575,7 @@ while the sentence is about every curve of the family.
   a tangent parallel to $l_1=0$ or $l_2=0$
 :corrected-by: product_of_ratios_is_constant
 :confirmed-by: product_of_ratios_is_positive_inside
-:reading: product_of_ratios_is_constant | only the curves of points of the triangle are spoken of, with the minus sign, as where the source names $\lambda\in(0,1)$: then
+:reading: product_of_ratios_is_constant | Only the curves of points of the triangle are spoken of, with the minus sign, as where the source names $\lambda\in(0,1)$: then
   it is right, wherever both ratios exist
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.
