@@ -24,8 +24,8 @@ $\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an id
 :printed: The tangent of the curve at the point $R$ has the equation $\frac{Y-y}{X-x}=-\frac{S_x'}{S_y'}$.
 :holds-by: tangent_meets_the_conic_doubly
 :confirmed-by: slope_exists_inside_the_triangle
-:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$; as at every point of the curve (3.1.4) with the minus sign inside
-  the triangle when $0<\lambda<1$.
+:needs: upright_tangent_has_no_slope | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_y'\ne0$; as at every point of the curve (3.1.4) with the
+  minus sign inside the triangle when $0<\lambda<1$; where $S_y'=0$, the tangent is parallel to $l_2=0$, and there is no $B$.
 
 Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where the gradient is not zero.
 :::
