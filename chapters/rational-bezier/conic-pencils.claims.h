@@ -253,7 +253,7 @@ parallel lines, and the missing member is the pair of the diagonals.
 :instead: S = 1 0 1 0 0 -2
 :result: S_1(P) = 0 0 0 0; S_2(P) = 0 0 0 0; S(P) = 0 0 0 0; values of λ that fit = 0
 :given: two pairs of parallel lines, $S_1$ and $S_2$, which meet in the four points $P$, and the pair of lines $S=S_1-S_2$
-  through these
+  through these; a conic is given by the $A,\dots,F$ of (3.1.1)
 :then: for no $\lambda$ is $(1-\lambda)S_1+\lambda S_2$ a multiple of $S$
 :method: The coefficients of $x^2$ and $y^2$ of a member and of the conic form a determinant, a polynomial of degree
   at most 1 in $\lambda$, whose real zeros are counted.
@@ -283,7 +283,7 @@ CLAIM(pencil_misses_its_difference)
 :instead: S = 1 2 1 -1 -1 1
 :result: S_1(P) = 0 0; S_2(P) = 0 0; S(P) = 0 0; determinant = 1/2
 :given: the two axes, $S_1=xy$, a double line, $S_2=(x+y-1)^2$, their only common points $P$, and the conic $S=x(x+y-1)$
-  through both
+  through both; a conic is given by the $A,\dots,F$ of (3.1.1)
 :then: the three conics are independent
 :method: The determinant of their coefficients of $x^2$, $2xy$ and $y^2$ is 0 for a member of the pencil.
 :control: the combination $2S_1+S_2$ in place of the third conic
@@ -313,7 +313,7 @@ CLAIM(two_common_points_allow_other_conics)
 :data: S_1 = 1 0 1 0 0 -1; S_2 = -1 0 -1 0 0 1; λ = 1/2
 :instead: λ = 1/3
 :result: member = 0 0 0 0 0 0
-:given: the unit circle $S_1$, $S_2=-S_1$, and $\lambda$
+:given: the unit circle $S_1$, $S_2=-S_1$, and $\lambda$; a conic is given by the $A,\dots,F$ of (3.1.1)
 :then: the member of $\lambda$ is $0=0$, which is no conic
 :method: The coefficients of the member.
 :control: another $\lambda$
@@ -356,7 +356,7 @@ After (3.1.4) the source itself uses one point of the curve to find $\lambda$.
 :data: S_1 = 1 0 0 0 0 -1; S_2 = 0 0 1 0 0 -1; P = (1,1) (1,-1) (-1,1) (-1,-1); λ = 1/3 1/2 2/3
 :instead: P = (2,0) (2,0) (2,0) (2,0); λ = 1/3 1/2 3/4
 :result: values of λ that fit = 3
-:given: two pairs of parallel lines, $S_1$ and $S_2$, which meet in the four points $P$, and three values of $\lambda$
+:given: two pairs of parallel lines, $S_1$ and $S_2$, which meet in the four points $P$, and three values of $\lambda$; a conic is given by the $A,\dots,F$ of (3.1.1)
 :then: all three $\lambda$ satisfy the equation at all four points
 :method: The values $S(x,y)$ of the three members are computed at the points; if the points determined $\lambda$, one
   $\lambda$ would be left.

@@ -276,7 +276,7 @@ CLAIM(rational_point_is_weighted_mean)
 
 With $W$ and $M$ for the weight and the quotient of some of the homogeneous points $B_i^n(t)\tilde{\mathbf R}_i$ together, one more,
 $c(\mathbf R_i,1)$ with $c=B_i^n(t)\omega_i$, makes the quotient $\frac{WM+c\mathbf R_i}{W+c}$; so the quotients of all $n+1$ together are those of
-the two sums.  The derivatives of this quotient are computed as well.
+the two sums.
 :::
 */
 
@@ -689,7 +689,7 @@ CLAIM(ends_do_not_move_with_inner_weight)
   elevation_cuts_corners bernstein_sum_of_powers_is_a_power
 :argued: | That two kinds of curves are similar is a judgement.  It rests here on the properties that both have: invariance, symmetry, the ends, the
   convex hull, elevation, each as in the list that follows.
-:meant: the list that follows | The properties of that list, as far as they are true; decided here of 3.2.1 to 3.2.3, 3.2.5 and 3.2.6.
+:meant: the list of properties that follows | The properties 3.2.1 to 3.2.10, as far as they are true; decided here of 3.2.1 to 3.2.3, 3.2.5 and 3.2.6.
 :needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: for the convex hull
 :confirmed-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images
@@ -869,7 +869,7 @@ CLAIM(reversed_points_and_weights_reverse_the_curve)
 :zh: 仅将点倒序得不到 R(1−t)
 :kind: counterexample
 :data: R = 0 1; ω = 1 2; t = 1/2
-:result: reversed points at t = 1/3; R(1-t) = 2/3
+:result: value for the reversed points = 1/3; R(1-t) = 2/3
 :given: two points of the line, weights that are not equal, and the parameter in the middle
 :then: the points in reversed order with the weights in their places have at $t$ another value than $R(1-t)$
 :method: Both are computed exactly.
@@ -886,7 +886,7 @@ CLAIM(reversed_points_alone_do_not_reverse_the_curve)
     G(reversed_points)(1, 1, w, v);
     G(rational_point)(1, 1, Q, fault(T, v, w), t, &a);
     G(rational_point)(1, 1, R, w, sub(from_int(1), t), &b);
-    found(T, "reversed points at t", a);
+    found(T, "value for the reversed points", a);
     found(T, "R(1-t)", b);
     about(T, "left the reversed points at t, right R(1 - t)");
     same(T, a, b);

@@ -22,13 +22,12 @@ all triangles.
   conics through $R_0$ and $R_2$ that touch $l_1=0$ in $R_0$ and $l_2=0$ in $R_2$.
 :holds-by: limings_conics_touch_the_lines conics_touching_two_lines_are_limings conics_touching_parallel_lines_are_limings
 :hypothesis: double_line_has_no_tangent | $\lambda\ne1$: otherwise the conic is the line $l_3$ taken twice, which touches nothing.
-:hypothesis: flat_frame_has_no_tangent | $R_0$ is not on $l_2$ and $R_2$ not on $l_1$; so that $l_3$ joins two points; $l_1$ and
-  $l_2$ may be parallel.
+:hypothesis: flat_frame_has_no_tangent | $R_0\ne R_2$; so that $l_3$ joins two points, $R_0$ is not on $l_2$, and $R_2$ not on $l_1$.
 :hypothesis: limings_pencil_misses_one_conic | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3^2=0$ is missing.
 :meant: the equation, which leaves $\lambda l_3^2=0$ where $l_1=0$ or $l_2=0$ | $R_0$ is the point where $l_3$ meets $l_1$, and $R_2$ the point where it meets $l_2$.
 :figure: limings_pencil
 
-The frame $\{R_1;R_1R_0,R_1R_2\}$, for which this is stated (`fig-3.1.1`), is that of the sentences after it, and $l_1$ and $l_2$ are not parallel there.
+That $R_0\ne R_2$ is stated only later, with the frame $\{R_1;R_1R_0,R_1R_2\}$, for which $l_1$ and $l_2$ have to meet; here they may be parallel.
 
 The values and gradients of the members are linear in the two factors $1-\lambda$ and $\lambda$, so what is proved of them is true for the factors $1$ and $-1$ of
 $\lambda=\infty$ as well.
@@ -155,7 +154,7 @@ CLAIM(conics_touching_two_lines_are_limings)
   $R_0$ and $R_2$ whose gradient has no component along the lines there, all $c_i$ being 0, is for $D\ne0$ a combination of $l_1l_2$
   and $l_3^2$
 :method: Identities in $\lambda$, the coordinates of $X$, $R_0$, $R_2$ and $d$, and the six coefficients of $S$.
-:over: S#: conics; R#: points; d#: directions; k: λ; x; y
+:over: S#: conics; R#: points; d#: -; k: λ; x; y
 :control: $c_3+c_4$ for $c_3-c_4$
 :::
 */
@@ -212,7 +211,7 @@ static void G(refute_tangent)(trial *T)
     given_points(T, "R_0", 1, 2, R);
     G(conic_liming)(given(T, "λ"), l[0], l[1], l[2], S);
     G(conic_gradient)(S, R[0], R[1], g);
-    found_points(T, "gradient at R_0", 1, 2, g);
+    found_points(T, "gradient", 1, 2, g);
     about(T, "whether the conic has a tangent at R0: whether the gradient is not zero");
     refute(T, is_zero_q(g[0]) && is_zero_q(g[1]));
 }
@@ -226,7 +225,7 @@ The factor $(1-\lambda)l_2(R_0)$ also shows when nothing is touched: for $\lambd
 :kind: counterexample
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); λ = 1
 :instead: λ = 1/2
-:result: gradient at R_0 = (0,0)
+:result: gradient = (0,0)
 :given: the axes $l_1$ and $l_2$, the line $l_3$ through a point $R_0$ of $l_1$, and $\lambda=1$; a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: the gradient at $R_0$ is zero, so the conic has no tangent there
 :method: The gradient is computed.
@@ -242,7 +241,7 @@ CLAIM(double_line_has_no_tangent) { G(refute_tangent)(T); }
 :kind: counterexample
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 -1 0; R_0 = (0,0); λ = 1/2
 :instead: l_3 = 1 1 -1; R_0 = (1,0)
-:result: gradient at R_0 = (0,0)
+:result: gradient = (0,0)
 :given: the axes $l_1$ and $l_2$, a line $l_3$ through the origin $R_0=R_2$, and a $\lambda$ between 0 and 1; a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: the gradient at $R_0$ is zero (the conic $x^2-xy+y^2=0$ is this one point)
 :method: The gradient is computed.
@@ -258,7 +257,7 @@ CLAIM(flat_frame_has_no_tangent) { G(refute_tangent)(T); }
 :kind: counterexample
 :data: l_1 = 0 1 0; l_2 = 1 0 0; l_3 = 1 1 -1; R_0 = (1,0); R_2 = (0,1); κ = -1
 :instead: κ = -2
-:result: AC-B² = 3/4; S(R_0), S(R_2) = 0 0; gradient at R_0 = (0,1); gradient at R_2 = (1,0); values of λ that fit = 0
+:result: AC-B² = 3/4; S(R_0), S(R_2) = 0 0; ∇S(R_0) = (0,1); ∇S(R_2) = (1,0); values of λ that fit = 0
 :given: the axes $l_1$ and $l_2$, the line $l_3$ through their points $R_0$ and $R_2$, and the conic $S=l_1l_2+\kappa l_3^2$; a line is given by the coefficients $a,b,c$ of $ax+by+c$,
   a conic by the $A,\dots,F$ of (3.1.1)
 :then: $S$ is an ellipse, $AC-B^2>0$, which touches $l_1$ in $R_0$ and $l_2$ in $R_2$; for no $\lambda$ is
@@ -285,8 +284,8 @@ CLAIM(limings_pencil_misses_one_conic)
     int count = members_like(S1, S2, S, 0, 1);
     found(T, "AC-B²", delta);
     found_points(T, "S(R_0), S(R_2)", 2, 1, value);
-    found_points(T, "gradient at R_0", 1, 2, g0);
-    found_points(T, "gradient at R_2", 1, 2, g2);
+    found_points(T, "∇S(R_0)", 1, 2, g0);
+    found_points(T, "∇S(R_2)", 1, 2, g2);
     found_whole(T, "values of λ that fit", count);
     int touches = is_zero_q(value[0]) && is_zero_q(g0[0]) && !is_zero_q(g0[1]) && is_zero_q(value[1]) &&
                   is_zero_q(g2[1]) && !is_zero_q(g2[0]);
@@ -521,9 +520,9 @@ CLAIM(every_scaling_takes_the_normal_form)
 :title: A factor of a line's equation can change lambda
 :zh: 直线方程乘以因子可改变 λ
 :kind: counterexample
-:data: l_1 = 0 2 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; λ of (3.1.4) with +, with - = 1/2 1/2
-:instead: λ of (3.1.4) with +, with - = 1/3 -1
-:result: A : B of (3.1.3) = 1/2; A : B of (3.1.4) with +, with - = 2/3 2
+:data: l_1 = 0 2 0; l_2 = 1 0 0; l_3 = 1 1 -1; λ = 1/2; λ of (3.1.4), first with plus, then with minus = 1/2 1/2
+:instead: λ of (3.1.4), first with plus, then with minus = 1/3 -1
+:result: A : B of (3.1.3) = 1/2; A : B of (3.1.4), first with plus, then with minus = 2/3 2
 :given: the three lines in the frame, each by the coefficients $a,b,c$ of $ax+by+c$, the equation of $l_1$ multiplied by a factor, and the same $\lambda$ for (3.1.3) and for (3.1.4)
   with either sign; $A$ and $B$ the coefficients of $x^2$ and $2xy$
 :then: $(1-\lambda)l_1l_2+\lambda l_3^2$ is no multiple of (3.1.4)
@@ -536,7 +535,7 @@ CLAIM(scaled_lines_change_lambda)
     num l[3][3], S[6], N[6], frame[2], other[2];
     G(given_lines)(T, l);
     num lambda = given(T, "λ");
-    given_points(T, "λ of (3.1.4) with +, with -", 2, 1, frame);
+    given_points(T, "λ of (3.1.4), first with plus, then with minus", 2, 1, frame);
     G(conic_liming)(lambda, l[0], l[1], l[2], S);
     num ratio = div(S[0], S[1]);
     int fits = 0;
@@ -546,7 +545,7 @@ CLAIM(scaled_lines_change_lambda)
         fits += equal_q(ratio, other[k]);
     }
     found(T, "A : B of (3.1.3)", ratio);
-    found_points(T, "A : B of (3.1.4) with +, with -", 2, 1, other);
+    found_points(T, "A : B of (3.1.4), first with plus, then with minus", 2, 1, other);
     about(T, "whether one sign gives the conic (3.1.3)");
     agree(T, fits > 0);
 }
@@ -558,7 +557,7 @@ CLAIM(scaled_lines_change_lambda)
 :kind: counterexample
 :data: l_1 = 1 0 -1; l_2 = 1 0 1; l_3 = 0 1 0; λ = 1/2
 :instead: l_2 = 0 1 -1
-:result: A, …, F = 1/2 0 1/2 0 0 -1/2; determinant of l_1 and l_2 = 0
+:result: A, …, F = 1/2 0 1/2 0 0 -1/2; determinant of the two tangents = 0
 :given: the tangents $l_1$ and $l_2$ of the unit circle at the ends of a diameter, the line $l_3$ of the diameter, and the
   $\lambda$ for which (3.1.3) is this circle, with the coefficients $A,\dots,F$ of (3.1.1); a line is given by the coefficients $a,b,c$ of $ax+by+c$
 :then: $l_1$ and $l_2$ have no common point $R_1$
@@ -573,7 +572,7 @@ CLAIM(half_circle_has_no_frame)
     G(conic_liming)(given(T, "λ"), l[0], l[1], l[2], S);
     found_points(T, "A, …, F", 6, 1, S);
     num d = sub(mul(l[0][0], l[1][1]), mul(l[1][0], l[0][1]));
-    found(T, "determinant of l_1 and l_2", d);
+    found(T, "determinant of the two tangents", d);
     about(T, "whether the lines meet");
     refute(T, is_zero_q(d));
 }
@@ -594,7 +593,7 @@ $\lambda=-\frac13$ with the plus sign.
 :::{claim} one_point_fixes_lambda
 :title: The lambda of the conic through a given point
 :zh: 过定点的曲线的 λ
-:data: R = (1/4,1/4); λ at R with -, with + = 1/5 -1/3
+:data: R = (1/4,1/4); λ of both signs, first minus = 1/5 -1/3
 :given: a point $(x,y)$, a sign $\sigma=\pm1$, and any number $\kappa$; and the point $R=(\frac14,\frac14)$
 :let: $\lambda=\frac{xy}{xy-\sigma(x+y-1)^2}$
 :then: $(1-\lambda)xy+\sigma\lambda(x+y-1)^2=0$; and the value of (3.1.4) with $\kappa$ is
@@ -611,7 +610,7 @@ CLAIM(one_point_fixes_lambda)
     num free[2] = {unknown(T, "x", 0), unknown(T, "y", 0)}, kappa = unknown(T, "k", 0), one = from_int(1), S[6];
     num R[2], known[2];
     given_points(T, "R", 1, 2, R);
-    given_points(T, "λ at R with -, with +", 2, 1, known);
+    given_points(T, "λ of both signs, first minus", 2, 1, known);
     for (int sign = -1; sign < 2; sign += 2)
         for (int k = 0; k < 2; k++) { /* a variable point, then R */
             const num *P = k == 0 ? free : R;
@@ -715,7 +714,7 @@ CLAIM(lambda_inside_the_triangle)
 :kind: counterexample
 :data: R = (1/2,0) (1/2,1/2)
 :instead: R = (1/2,1/4) (1/4,1/4)
-:result: λ at R = 0 1
+:result: λ of the two points = 0 1
 :given: the minus sign in (3.1.4), and two points $R=(x,y)$ of the border, the middle of $R_1R_0$ and that of $R_0R_2$
 :then: $\lambda$ is one end of the interval for the first, the other for the second
 :method: $\lambda=\frac{xy}{xy+(x+y-1)^2}$ is computed.
@@ -731,7 +730,7 @@ CLAIM(lambda_on_the_border)
         lambda[k] = G(lambda_at)(R[2 * k], R[2 * k + 1], -1);
         between += sign_q(lambda[k]) > 0 && compare_q(lambda[k], one) < 0;
     }
-    found_points(T, "λ at R", 2, 1, lambda);
+    found_points(T, "λ of the two points", 2, 1, lambda);
     about(T, "whether one of the two λ lies between 0 and 1");
     agree(T, between > 0);
 }

@@ -112,6 +112,8 @@ written as quotients of three weights (权因子), of which only the one ratio $
   $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | the weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
 :needs: ratios_do_not_exist_at_the_ends | the sentence itself, by which $g_1g_2$ is constant, so that both ratios exist | $0<t<1$;
   the ends $R_0$ and $R_2$ come back in (3.1.5), where $0\le t\le1$.
+
+Three negative weights have the ratios of their absolute values, so that weights of one sign may be taken positive.
 :::
 */
 
@@ -168,7 +170,7 @@ CLAIM(each_pair_of_ratios_has_one_parameter)
 :kind: counterexample
 :data: ω_1 = 1; t = 0 1
 :instead: t = 1/2 1/2
-:result: denominators of g_1 = 0 1; denominators of g_2 = 1 0
+:result: denominators of the first ratio = 0 1; denominators of the second ratio = 1 0
 :given: a weight $\omega_1$, and the first and the last parameter
 :then: the denominator $\omega_1t$ of $g_1$ is 0 at the first, and that of $g_2$, $\omega_1(1-t)$, at the last parameter
 :method: The denominators are computed at both parameters.
@@ -185,8 +187,8 @@ CLAIM(ratios_do_not_exist_at_the_ends)
         second[k] = mul(w, sub(from_int(1), t[k]));
         missing += is_zero_q(first[k]) || is_zero_q(second[k]);
     }
-    found_points(T, "denominators of g_1", 2, 1, first);
-    found_points(T, "denominators of g_2", 2, 1, second);
+    found_points(T, "denominators of the first ratio", 2, 1, first);
+    found_points(T, "denominators of the second ratio", 2, 1, second);
     about(T, "whether both ratios exist at one of the two parameters");
     refute(T, missing == 2);
 }
@@ -238,7 +240,8 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
   two arcs.
 :figure: tangent_ratios
 
-The arc goes from $R_0$ to $R_2$ inside the triangle, and is all of the conic that is inside.
+The arc goes from $R_0$ to $R_2$ inside the triangle, and is all of the conic that is inside.  Three negative weights give the curve of their absolute values, so
+that weights of one sign may be taken positive.
 :::
 
 Put $g_1$ and $g_2$ into the point and multiply numerator and denominator by $\omega_1t(1-t)$.  What comes out has the
@@ -405,6 +408,8 @@ CLAIM(points_alone_do_not_determine_the_arc)
   weights have to give such, too | the new weights, too, are of one sign.
 :meant: the sentence before, by which (3.1.5) represents one arc | The arc stays the same: what changes is its representation, and what does not is the constant.
 :figure: middle_weight_sign
+
+Three negative weights give the curve of their absolute values, so that weights of one sign may be taken positive.
 :::
 
 So the weights may be changed as long as the constant stays.  The curve is then the same, run through at another pace.

@@ -24,8 +24,8 @@ $\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an id
 :printed: The tangent of the curve at the point $R$ has the equation $\frac{Y-y}{X-x}=-\frac{S_x'}{S_y'}$.
 :holds-by: tangent_meets_the_conic_doubly
 :confirmed-by: slope_exists_inside_the_triangle
-:hypothesis: upright_tangent_has_no_slope | $S_y'\ne0$; as at every point of the curve (3.1.4) with the minus sign inside
-  the triangle when $0<\lambda<1$.
+:needs: upright_tangent_has_no_slope | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_y'\ne0$; as at every point of the curve (3.1.4) with the
+  minus sign inside the triangle when $0<\lambda<1$; where $S_y'=0$, the tangent is parallel to $l_2=0$, and there is no $B$.
 
 Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where the gradient is not zero.
 :::
@@ -104,7 +104,7 @@ static struct member_at_point given_member(trial *T, int sign)
 static void found_gradient(trial *T, struct member_at_point m)
 {
     found(T, "S(R)", m.value);
-    found_points(T, "gradient at R", 1, 2, m.gradient);
+    found_points(T, "∇S(R)", 1, 2, m.gradient);
 }
 
 /*
@@ -114,7 +114,7 @@ static void found_gradient(trial *T, struct member_at_point m)
 :kind: counterexample
 :data: λ = 1/2; R = (4/3,1/3)
 :instead: R = (1/3,1/3)
-:result: S(R) = 0; gradient at R = (-1/2,0)
+:result: S(R) = 0; ∇S(R) = (-1/2,0)
 :given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
   sign, outside the triangle
 :then: $S_y=0$, so the printed quotient does not exist
@@ -236,29 +236,39 @@ CLAIM(plus_sign_moves_the_cut)
 
 /*
 :::{claim} tangent_parallel_to_the_first_side
-:title: A tangent may be parallel to the first side
-:zh: 切线可平行于 l_1
+:title: A tangent may be parallel to the first side, or to the second
+:zh: 切线可平行于 l_1 或 l_2
 :kind: counterexample
-:data: λ = 1/2; R = (1/3,4/3)
-:instead: R = (1/3,1/3)
-:result: S(R) = 0; gradient at R = (0,-1/2); denominator of X_A = 0
-:given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
+:data: λ = 1/2; R = (1/3,4/3) (4/3,1/3)
+:instead: R = (1/3,1/3) (1/3,1/3)
+:result: S(R) = 0 0; ∇S(R) = (0,-1/2) (-1/2,0); denominators of the two cuts = 0 0
+:given: a $\lambda$ between 0 and 1, and two points $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
   sign, outside the triangle
-:then: $S_x=0$ and $(1-\lambda)y-2\lambda(x+y-1)=0$: there is no point $A$
-:method: The value and the gradient of $S$ at $R$ are computed.
+:then: at the first $S_x=0$ and $(1-\lambda)y-2\lambda(x+y-1)=0$: there is no point $A$; at the second $S_y=0$ and $(1-\lambda)x-2\lambda(x+y-1)=0$:
+  there is no point $B$
+:method: The value and the gradient of $S$ at both points are computed, the denominator of $X_A$ at the first, of $Y_B$ at the second.
 :control: a point of the curve inside the triangle
 :::
 */
 CLAIM(tangent_parallel_to_the_first_side)
 {
-    struct member_at_point m = given_member(T, -1);
-    found_gradient(T, m);
-    num s = sub(add(m.R[0], m.R[1]), from_int(1));
-    /* (1-λ) y - 2λ (x+y-1) */
-    num bottom = sub(mul(sub(from_int(1), m.lambda), m.R[1]), mul(mul(from_int(2), m.lambda), s));
-    found(T, "denominator of X_A", bottom);
-    about(T, "whether the denominator is not 0");
-    refute(T, m.on_curve && is_zero_q(m.gradient[0]) && is_zero_q(bottom));
+    num lambda = given(T, "λ"), one = from_int(1), R[4], S[6], value[2], gradient[4], below[2];
+    given_points(T, "R", 2, 2, R);
+    G(frame_conic)(lambda, -1, S);
+    int missing = 0;
+    for (int k = 0; k < 2; k++) {
+        num x = R[2 * k], y = R[2 * k + 1], s = sub(add(x, y), one);
+        value[k] = G(form)(S, x, y);
+        G(conic_gradient)(S, x, y, gradient + 2 * k);
+        /* (1-λ) y - 2λ (x+y-1), (1-λ) x - 2λ (x+y-1) */
+        below[k] = sub(mul(sub(one, lambda), k == 0 ? y : x), mul(mul(from_int(2), lambda), s));
+        missing += is_zero_q(value[k]) && is_zero_q(gradient[3 * k]) && is_zero_q(below[k]);
+    }
+    found_points(T, "S(R)", 2, 1, value);
+    found_points(T, "∇S(R)", 2, 2, gradient);
+    found_points(T, "denominators of the two cuts", 2, 1, below);
+    about(T, "whether the denominator is not 0, at one of the two points");
+    agree(T, missing <= fault(T, 0, 1)); /* the control: at both */
 }
 
 /*
@@ -268,7 +278,7 @@ CLAIM(tangent_parallel_to_the_first_side)
 :kind: counterexample
 :data: λ = 1/2; R = (1,0) (0,1)
 :instead: R = (1/3,1/3) (1/3,1/3)
-:result: S(R) = 0 0; gradients at R = (0,1/2) (1/2,0); numerators of g_1 and g_2 = 0 0; denominators of g_1 and g_2 = 0 0
+:result: S(R) = 0 0; ∇S(R) = (0,1/2) (1/2,0); numerators of the two ratios = 0 0; denominators of the two ratios = 0 0
 :given: a $\lambda$ between 0 and 1, and the points $R_0$ and $R_2$, which are on the curve $S=0$ of (3.1.4) with the minus sign
 :then: $-2\lambda(x+y-1)$ and $(1-\lambda)y$ are both 0 in $R_0$: the printed $g_1$ is $\frac00$, and the tangent is $l_1$ itself,
   without a point $A$; so it is with $g_2$, $(1-\lambda)x$ and $l_2$ in $R_2$
@@ -289,9 +299,9 @@ CLAIM(end_has_but_one_ratio)
         below[k] = mul(sub(one, lambda), k == 0 ? y : x);
     }
     found_points(T, "S(R)", 2, 1, value);
-    found_points(T, "gradients at R", 2, 2, gradient);
-    found_points(T, "numerators of g_1 and g_2", 2, 1, above);
-    found_points(T, "denominators of g_1 and g_2", 2, 1, below);
+    found_points(T, "∇S(R)", 2, 2, gradient);
+    found_points(T, "numerators of the two ratios", 2, 1, above);
+    found_points(T, "denominators of the two ratios", 2, 1, below);
     int first = is_zero_q(value[0]) && (is_zero_q(gradient[0]) || is_zero_q(below[0]));
     int last = is_zero_q(value[1]) && (is_zero_q(gradient[3]) || is_zero_q(below[1]));
     about(T, "whether the tangent cuts the side in one point and the denominator is not 0, in one of the two points");
@@ -311,7 +321,7 @@ CLAIM(end_has_but_one_ratio)
 :holds-by: ratios_of_lengths_inside_the_triangle signed_ratios_give_the_point ratios_on_the_curve
 :hypothesis: lengths_do_not_tell_points_apart | $R$ lies inside the triangle, or the ratios have signs.
 :needs: tangent_parallel_to_the_first_side | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ | the tangent
-  meets both sides.
+  is parallel to neither $l_1=0$ nor $l_2=0$.
 :needs: end_has_but_one_ratio | the sentence itself: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in points $A$ and $B$ | $R\ne
   R_0,R_2$: there the tangent is one of the two lines.
 :figure: tangent_ratios
@@ -383,7 +393,7 @@ With their signs the ratios do tell all points apart, by `signed_ratios_give_the
 :zh: 长度之比不能区分两点
 :kind: counterexample
 :data: λ = 1/2; P = (1/3,1/3); Q = (1,1)
-:result: (g_1, g_2) at P = (2,2); (g_1, g_2) at Q = (2,2)
+:result: at P, (g_1, g_2) = (2,2); at Q, (g_1, g_2) = (2,2)
 :given: a $\lambda$ between 0 and 1, and two points of the curve (3.1.4) with the minus sign, $P$ inside the triangle and $Q$ outside
 :then: both have the same ratios of lengths
 :method: The tangents are intersected with the sides, and the lengths are taken along the sides.
@@ -403,8 +413,8 @@ CLAIM(lengths_do_not_tell_points_apart)
         g[c] = fault(T, g[c], length(g[c]));
         h[c] = fault(T, h[c], length(h[c]));
     }
-    found_points(T, "(g_1, g_2) at P", 1, 2, g);
-    found_points(T, "(g_1, g_2) at Q", 1, 2, h);
+    found_points(T, "at P, (g_1, g_2)", 1, 2, g);
+    found_points(T, "at Q, (g_1, g_2)", 1, 2, h);
     about(T, "whether the ratios tell the points apart");
     refute(T, on_curve && equal_q(g[0], h[0]) && equal_q(g[1], h[1]));
 }
@@ -432,11 +442,10 @@ ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y
 :printed: In the same way $g_2=\frac{-2\lambda(x+y-1)}{(1-\lambda)x}$.
 :holds-by: tangent_cuts_the_sides ratios_of_lengths_inside_the_triangle
 :confirmed-by: ratios_on_the_curve
-:hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign; the
-  example is to be read with $x$ and $y$ exchanged.
-:hypothesis: plus_sign_turns_the_ratio | the sign in (3.1.4) is minus; the example is to be read with $x$ and $y$ exchanged.
+:hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
+:hypothesis: plus_sign_turns_the_ratio | the sign in (3.1.4) is minus.
 :needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ |
-  $S_y'\ne0$; as in the triangle when $0<\lambda<1$; the example is to be read with $x$ and $y$ exchanged.
+  $S_y'\ne0$; as in the triangle when $0<\lambda<1$; else the tangent does not cut the side in one point.
 
 In $R_2$ the tangent is the side itself, with $S_y'=0$; in $R_0$ it is $l_1$, $B$ is $R_1$ and $g_2=0$, as printed.
 :::
@@ -477,65 +486,74 @@ CLAIM(ratios_on_the_curve)
 }
 
 #if RATIONAL
-/* factor lambda (x + y - 1)/((1-lambda) y): the printed g_1 has the factor -2. */
-static num printed_ratio(struct member_at_point m, int factor)
+/* factor lambda (x + y - 1)/((1-lambda) y), and with x for y: the printed g_1 and g_2 have the factor -2. */
+static void printed_ratios(struct member_at_point m, int factor, num g[2])
 {
     num s = sub(add(m.R[0], m.R[1]), from_int(1)), mu = sub(from_int(1), m.lambda);
-    return div(mul(from_int(factor), mul(m.lambda, s)), mul(mu, m.R[1]));
+    for (int k = 0; k < 2; k++)
+        g[k] = div(mul(from_int(factor), mul(m.lambda, s)), mul(mu, m.R[1 - k]));
 }
 
 /*
 :::{claim} outside_the_triangle_lengths_lose_the_sign
-:title: Outside the triangle the ratio of lengths need not be the printed quotient
+:title: Outside the triangle the ratios of lengths need not be the printed quotients
 :zh: 三角形外长度之比可与所印公式不符
 :kind: counterexample
 :data: λ = 1/2; R = (1,1)
 :instead: R = (1/3,1/3)
-:result: S(R) = 0; ‖R_1A‖/‖R_0A‖ = 2; g_1 as printed = -2
+:result: S(R) = 0; ‖R_1A‖/‖R_0A‖, ‖R_1B‖/‖R_2B‖ = 2 2; g_1, g_2 as printed = -2 -2
 :given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the minus
   sign, outside the triangle
-:then: the ratio $\|R_1A\|/\|R_0A\|$ is the printed quotient without its sign
-:method: The tangent is intersected with the side, and the lengths are taken along it.
+:then: the ratios $\|R_1A\|/\|R_0A\|$ and $\|R_1B\|/\|R_2B\|$ are the printed quotients without their sign
+:method: The tangent is intersected with the sides, and the lengths are taken along these.
 :control: a point of the curve inside the triangle
 :::
 */
 CLAIM(outside_the_triangle_lengths_lose_the_sign)
 {
     struct member_at_point m = given_member(T, -1);
-    num g[2], printed = printed_ratio(m, -2);
+    num g[2], printed[2];
+    printed_ratios(m, -2, printed);
     ratios(m.lambda, -1, m.R[0], m.R[1], g);
+    int off = 0;
+    for (int k = 0; k < 2; k++) {
+        g[k] = length(g[k]);
+        off += m.on_curve && !equal_q(g[k], printed[k]);
+    }
     found(T, "S(R)", m.value);
-    found(T, "‖R_1A‖/‖R_0A‖", length(g[0]));
-    found(T, "g_1 as printed", printed);
-    about(T, "g1, left as a ratio of lengths, right as printed");
-    if (m.on_curve)
-        same(T, length(g[0]), printed);
+    found_points(T, "‖R_1A‖/‖R_0A‖, ‖R_1B‖/‖R_2B‖", 2, 1, g);
+    found_points(T, "g_1, g_2 as printed", 2, 1, printed);
+    about(T, "whether one of the two ratios of lengths is as printed");
+    agree(T, off <= fault(T, 0, 1)); /* the control: both */
 }
 
 /*
 :::{claim} plus_sign_turns_the_ratio
-:title: With the plus sign the printed quotient has the wrong sign
-:zh: 取正号时 g_1 符号相反
+:title: With the plus sign the printed quotients have the wrong sign
+:zh: 取正号时 g_1, g_2 符号相反
 :kind: counterexample
 :data: λ = 1/2; R = (-1,1)
-:result: S(R) = 0; X_A/(1-X_A) = -2; g_1 as printed = 2
+:result: S(R) = 0; X_A/(1-X_A), Y_B/(1-Y_B) = -2 2; g_1, g_2 as printed = 2 -2
 :given: a $\lambda$ between 0 and 1, and a point $R=(x,y)$ of the curve $S=0$ of (3.1.4) with the plus sign
-:then: $\frac{X_A}{1-X_A}$ is the negative of the printed quotient
-:method: The tangent is intersected with the side.
+:then: $\frac{X_A}{1-X_A}$ and $\frac{Y_B}{1-Y_B}$ are the negatives of the printed quotients
+:method: The tangent is intersected with the sides.
 :control: $+2\lambda(x+y-1)$ in place of $-2\lambda(x+y-1)$
 :::
 */
 CLAIM(plus_sign_turns_the_ratio)
 {
     struct member_at_point m = given_member(T, 1);
-    num g[2], printed = printed_ratio(m, fault(T, 2, -2));
+    num g[2], printed[2];
+    printed_ratios(m, fault(T, 2, -2), printed);
     ratios(m.lambda, 1, m.R[0], m.R[1], g);
     found(T, "S(R)", m.value);
-    found(T, "X_A/(1-X_A)", g[0]);
-    found(T, "g_1 as printed", printed);
-    about(T, "X_A/(1 - X_A), left from the tangent, right as printed");
-    if (m.on_curve)
-        same(T, g[0], printed);
+    found_points(T, "X_A/(1-X_A), Y_B/(1-Y_B)", 2, 1, g);
+    found_points(T, "g_1, g_2 as printed", 2, 1, printed);
+    about(T, "whether one of the two quotients is as printed");
+    int off = 0;
+    for (int k = 0; k < 2; k++)
+        off += m.on_curve && !equal_q(g[k], printed[k]);
+    agree(T, off <= fault(T, 0, 1)); /* the control: both */
 }
 #endif
 
@@ -557,7 +575,7 @@ while the sentence is about every curve of the family.
   a tangent parallel to $l_1=0$ or $l_2=0$
 :corrected-by: product_of_ratios_is_constant
 :confirmed-by: product_of_ratios_is_positive_inside
-:reading: product_of_ratios_is_constant | only the curves of points of the triangle are spoken of, with the minus sign, as where the source names $\lambda\in(0,1)$: then
+:reading: product_of_ratios_is_constant | Only the curves of points of the triangle are spoken of, with the minus sign, as where the source names $\lambda\in(0,1)$: then
   it is right, wherever both ratios exist
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.
