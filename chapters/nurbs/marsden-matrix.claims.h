@@ -290,6 +290,7 @@ For $t_r=0$ the power $t_r^0$ is 1.  The entries do not change when all knots mo
 :argued: every order and every pattern of knots | Each of the two is true for every order and every pattern of knots, by the arguments of `thm-4.4.1` and `thm-4.4.3`.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
+:needs: polynomial_of_a_span_ends_with_it | (4.4.1), the parameter of what is represented: $t_r\le t<t_{r+1}$ | $t$ lies in the span
 :figure: both_matrices
 
 Both are computed by their letter, and each gives $N_{i,k}$ in powers of $u$, which is one polynomial; so the entries are equal.
@@ -641,7 +642,7 @@ CLAIM(cofactors_give_powers_of_t)
 :::{statement} wang-ch4:thm-4.4.3-step-power
 :title: The powers of t in powers of u
 :zh: t 的幂按 u 的幂展开
-:printed: t^\mu=\sum_{j=0}^\mu\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j,\quad\mu=0,\dots,k-1
+:printed: t^\mu=\sum_{j=0}^\mu\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j,\quad\mu=0,1,\dots,k-1
 :holds-by: power_of_t_in_every_degree
 :confirmed-by: power_of_t_in_powers_of_u
 :needs: empty_span_has_no_parameter | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
