@@ -117,13 +117,15 @@ CLAIM(cofactor_is_signed_minor)
   empty
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: both_matrices
+
+The $\bar a_{ji}$ are those of (4.4.17), see `thm-4.4.3`.
 :::
 
 :::{statement} wang-ch4:thm-4.4.3
 :title: The coefficients by Marsden's identity
 :zh: 定理 4.4.3 基于 Marsden 恒等式的系数矩阵
 :printed: if the interval $[t_r,t_{r+1})$ is not empty, the $\bar a_{ji}$ of (4.4.16) are $\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}$, $j=0,1,\dots,k-1$, where
-  $\mathbf G_{r,k,T}$ is the $k\times k$ matrix (4.4.18), (4.4.19), $g_\mu^*$ is the cofactor of its element $g_\mu$, and $\omega_{i,k}(x)$ is as in (4.4.14)
+  $\mathbf G_{r,k,T}$ is the $k\times k$ matrix (4.4.18), (4.4.19), $g_\mu^*$ is the cofactor of its element $g_\mu$, and $\omega_{i,k}$ is as in (4.4.14)
 :holds-by: printed_cofactor_formula_gives_the_basis marsden_step_for_every_order coefficients_of_marsden_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
   power_of_t_in_every_degree
