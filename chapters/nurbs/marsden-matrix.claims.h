@@ -24,7 +24,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :::{statement} wang-ch4:formula-4.4.19
 :title: The entries of G
 :zh: 矩阵 G 的元素
-:printed: g_{\mu i}=\frac{(-1)^\mu\mu!}{(k-1)!}\,\omega_{i,k}^{(k-1-\mu)}(0),\quad\mu=0,1,\dots,k-1;\ i=r-k+1,r-k+2,\dots,r
+:printed: g_{\mu i}=\frac{(-1)^\mu\mu!}{(k-1)!}\omega_{i,k}^{(k-1-\mu)}(0),\quad\mu=0,1,\dots,k-1;\ i=r-k+1,r-k+2,\dots,r
 :definition: yes
 :checked-by: marsden_matrix_holds_derivatives
 :figure: both_matrices
