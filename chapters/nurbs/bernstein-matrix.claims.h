@@ -53,6 +53,12 @@ $\mathbf G$ has $g_{ji}$ in row $j$ and column $i$, and $g_{ji}=0$ for $i<j$, se
 :::
 */
 
+/* B_i^n(t) = C(n,i) (1-t)^{n-i} t^i */
+static num G(bernstein_value)(int n, int i, num t)
+{
+    return mul(G(choose)(n, i), mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i)));
+}
+
 static struct G(span) G(bernstein_span)(int k) { return G(span_of_pattern)(k, 0, (num[]){from_int(0), from_int(1)}); }
 
 /*
@@ -175,14 +181,14 @@ CLAIM(bernstein_coefficients_and_g)
 #if RATIONAL
 /*
 :::{claim} bernstein_knots_from_one_shift_the_index
-:title: With functions numbered from 1 the formulas for omega and G are shifted
-:zh: 若下标从 1 起则 ω 与 G 错位
+:title: With functions numbered from 1 the formulas for omega, G and the B-splines are shifted
+:zh: 若下标从 1 起则 ω、G 与基函数错位
 :kind: counterexample
-:given: $k=2$, the knots $t_1,\dots,t_4$, whose functions are $N_{1,2}$ and $N_{2,2}$; $i$ and $x$
-:data: t_1, ..., t_4 = 0 0 1 1; i = 1; x = 2
-:then: $\omega_{1,2}(x)=x-t_2$, the formula gives $x^{1-i}(x-1)^i$, which is another number; and $g_{1i}=t_2$ is not $\binom i1\big/\binom11$
-:result: ω_i,2(x) = 2; the formula = 1; g_1i = 0; its formula = 1
-:method: The product of its definition, and the entry of `marsden_matrix`, against the formulas.
+:given: $k=2$, the knots $t_1,\dots,t_4$, whose functions are $N_{1,2}$ and $N_{2,2}$; $i$ and $x$, and a $t$ of $[t_2,t_3)$
+:data: t_1, ..., t_4 = 0 0 1 1; i = 1; x = 2; t = 1/4
+:then: $\omega_{1,2}(x)=x-t_2$, the formula gives $x^{1-i}(x-1)^i$, which is another number; $g_{1i}=t_2$ is not $\binom i1\big/\binom11$; and $N_{1,2}(t)=1-t$ is not $B_1^1(t)=t$
+:result: ω_i,2(x) = 2; the formula = 1; g_1i = 0; its formula = 1; N_i,2(t) = 3/4; B_i^1(t) = 1/4
+:method: The product of its definition, the entry of `marsden_matrix` and the B-spline by its definition, against the formulas.
 :control: the knots $t_0,\dots,t_3$
 :::
 */
@@ -194,15 +200,21 @@ CLAIM(bernstein_knots_from_one_shift_the_index)
     num x = given(T, "x"), formula = mul(G(power)(x, 1 - i), G(power)(sub(x, from_int(1)), i));
     G(marsden_coefficients)(1, t, 1, x, w);
     G(marsden_matrix)(1, t, 1, g);
-    num entry = g[2 + i - first], quotient = div(G(choose)(i, 1), G(choose)(1, 1));
+    num entry = g[2 + i - first], quotient = div(G(choose)(i, 1), G(choose)(1, 1)), at = given(T, "t");
+    struct G(span) S = G(span_of_pattern)(2, 0, (num[]){t[0], t[2]});
+    num value = G(basis_value)(&S, i - first, 2, at), bernstein = G(bernstein_value)(1, i, at);
     found(T, "ω_i,2(x)", w[i - first]);
     found(T, "the formula", formula);
     found(T, "g_1i", entry);
     found(T, "its formula", quotient);
+    found(T, "N_i,2(t)", value);
+    found(T, "B_i^1(t)", bernstein);
     about(T, "ω_1,2(x), and the formula");
     same(T, w[i - first], formula);
     about(T, "g_1i, and its formula");
     same(T, entry, quotient);
+    about(T, "N_1,2(t), and B_1^1(t)");
+    same(T, value, bernstein);
 }
 #endif
 
@@ -210,7 +222,7 @@ CLAIM(bernstein_knots_from_one_shift_the_index)
 :::{statement} wang-ch4:bernstein-matrix
 :title: The coefficient matrix for the knots of Bernstein
 :zh: Bernstein 情形的系数矩阵
-:printed: by (4.4.17), on the interval $[t_{k-1},t_k)=[0,1)$ the elements of $\mathbf A_{r,k,T}$ are $a_{ji}=0$ $(i<j)$, $a_{ji}=(-1)^{i+j}\binom{k-1}i\Big/\binom ij$ $(i\ge j)$,
+:printed: for $T=\{0,0,\dots,0,1,1,\dots,1\}$, by (4.4.17), on the interval $[t_{k-1},t_k)=[0,1)$ the elements of $\mathbf A_{r,k,T}$ are $a_{ji}=0$ $(i<j)$, $a_{ji}=(-1)^{i+j}\binom{k-1}i\Big/\binom ij$ $(i\ge j)$,
   $i,j=0,1,\dots,k-1$
 :class: misprint
 :refuted-by: printed_bernstein_matrix_is_transposed printed_bernstein_quotient_fails
@@ -219,6 +231,8 @@ CLAIM(bernstein_knots_from_one_shift_the_index)
   bernstein_powers_in_every_degree
 :confirmed-by: bernstein_matrix_is_the_matrix
 :needs: polynomial_of_a_span_ends_with_it | the line itself: on $[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
+:needs: bernstein_knots_from_one_shift_the_index | the line itself: $[t_{k-1},t_k)=[0,1)$ | the knots are numbered
+  from 0, $t_0=\dots=t_{k-1}=0$; the example is of the functions, whose coefficients the elements are
 :striking: 10
 :figure: bernstein_matrix
 
@@ -226,12 +240,6 @@ Two faults: the two indices are exchanged, so that the matrix is triangular on t
 coefficients are divided and not multiplied.  To mend one of them is not enough.
 :::
 */
-
-/* B_i^n(t) = C(n,i) (1-t)^{n-i} t^i */
-static num G(bernstein_value)(int n, int i, num t)
-{
-    return mul(G(choose)(n, i), mul(G(power)(sub(from_int(1), t), n - i), G(power)(t, i)));
-}
 
 /*
 The matrix of the Bernstein polynomials is triangular and has products of the binomial coefficients with alternating signs.
@@ -420,6 +428,8 @@ CLAIM(printed_bernstein_quotient_fails)
 :holds-by: bernstein_functions_in_every_order outer_functions_are_made_of_outer_ones
 :confirmed-by: bsplines_are_bernstein_polynomials
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
+:needs: bernstein_knots_from_one_shift_the_index | the line itself: $[t_{k-1},t_k)=[0,1)$ | the knots are numbered
+  from 0, $t_0=\dots=t_{k-1}=0$
 :figure: bernstein_matrix
 
 (1.6.9) is in a chapter that is not at hand; the functions themselves are compared.
@@ -459,6 +469,8 @@ CLAIM(bsplines_are_bernstein_polynomials)
   bernstein_powers_in_every_degree
 :confirmed-by: bernstein_matrix_is_the_matrix
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_{k-1},t_k)=[0,1)$ | $t$ lies in the span
+:needs: bernstein_knots_from_one_shift_the_index | the line itself: $[t_{k-1},t_k)=[0,1)$ | the knots are numbered
+  from 0, $t_0=\dots=t_{k-1}=0$
 :figure: bernstein_matrix
 :::
 

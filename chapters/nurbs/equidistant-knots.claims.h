@@ -298,6 +298,7 @@ CLAIM(uniform_chain_does_not_follow)
 :corrected: the exponent is $k-1-j$; everything else is right
 :corrected-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
 :confirmed-by: uniform_chain_gives_the_matrix last_sum_gives_the_uniform_matrix
+:needs: polynomial_of_a_span_ends_with_it | (4.4.11), whose coefficients they are: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: uniform_letter
 :::
 */
@@ -368,6 +369,7 @@ CLAIM(uniform_letter_one_fails)
 :corrected-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
   uniform_terms_pass_into_one_another
 :confirmed-by: uniform_chain_gives_the_matrix last_sum_gives_the_uniform_matrix
+:needs: polynomial_of_a_span_ends_with_it | (4.4.11), whose coefficients they are: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: uniform_letter
 
 With $l$ in its own upper limit the sum has no meaning; with the limit and the exponent put right the factorial is still wrong.
@@ -404,6 +406,7 @@ CLAIM(uniform_letter_in_factorial_fails)
 :corrected-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
   uniform_terms_pass_into_one_another
 :confirmed-by: uniform_chain_gives_the_matrix last_sum_gives_the_uniform_matrix
+:needs: polynomial_of_a_span_ends_with_it | (4.4.11), whose coefficients they are: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: uniform_letter
 
 By the letter the sum has no value: $l$, the variable of the second sum, is bound nowhere here.  In the example it is $a_{ji}$ with $l=1$, and not with $l=2$.
@@ -440,6 +443,7 @@ CLAIM(uniform_letter_is_free_in_the_third_sum)
 :corrected-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
   uniform_terms_pass_into_one_another
 :confirmed-by: uniform_chain_gives_the_matrix last_sum_gives_the_uniform_matrix
+:needs: polynomial_of_a_span_ends_with_it | (4.4.11), whose coefficients they are: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: uniform_letter
 :::
 
@@ -538,6 +542,7 @@ Here the exponent is printed right.  The first two steps are (4.4.23) put right,
 :holds-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
   uniform_terms_pass_into_one_another fourth_sum_is_the_printed_one
 :confirmed-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
+:needs: polynomial_of_a_span_ends_with_it | the line itself: on $[r,r+1)$ | $t$ lies in the span
 :figure: uniform_matrices
 
 In $a_{j,r-k+1+i}$, $i,j=0,\dots,k-1$, $r$ numbers the columns alone.  Another $r$ is another first knot: around $[r,r+1)$ it is $r-k+1$.

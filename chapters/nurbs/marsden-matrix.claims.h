@@ -24,7 +24,7 @@ enum { CELLS = LARGEST_ORDER * LARGEST_ORDER };
 :::{statement} wang-ch4:formula-4.4.19
 :title: The entries of G
 :zh: 矩阵 G 的元素
-:printed: g_{\mu i}=\frac{(-1)^\mu\mu!}{(k-1)!}\,\omega_{i,k}^{(k-1-\mu)}(0),\quad\mu=0,1,\dots,k-1;\ i=r-k+1,r-k+2,\dots,r
+:printed: g_{\mu i}=\frac{(-1)^\mu\mu!}{(k-1)!}\omega_{i,k}^{(k-1-\mu)}(0),\quad\mu=0,1,\dots,k-1;\ i=r-k+1,r-k+2,\dots,r
 :definition: yes
 :checked-by: marsden_matrix_holds_derivatives
 :figure: both_matrices
@@ -117,13 +117,15 @@ CLAIM(cofactor_is_signed_minor)
   empty
 :needs: polynomial_of_a_span_ends_with_it | the line itself: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: both_matrices
+
+The $\bar a_{ji}$ are those of (4.4.17), see `thm-4.4.3`.
 :::
 
 :::{statement} wang-ch4:thm-4.4.3
 :title: The coefficients by Marsden's identity
 :zh: 定理 4.4.3 基于 Marsden 恒等式的系数矩阵
 :printed: if the interval $[t_r,t_{r+1})$ is not empty, the $\bar a_{ji}$ of (4.4.16) are $\frac{(t_{r+1}-t_r)^j}{\det\mathbf G_{r,k,T}}\sum_{\mu=j}^{k-1}\binom\mu jt_r^{\mu-j}g^*_{\mu i}$, $j=0,1,\dots,k-1$, where
-  $\mathbf G_{r,k,T}$ is the $k\times k$ matrix (4.4.18), (4.4.19), $g_\mu^*$ is the cofactor of its element $g_\mu$, and $\omega_{i,k}(x)$ is as in (4.4.14)
+  $\mathbf G_{r,k,T}$ is the $k\times k$ matrix (4.4.18), (4.4.19), $g_\mu^*$ is the cofactor of its element $g_\mu$, and $\omega_{i,k}$ is as in (4.4.14)
 :holds-by: printed_cofactor_formula_gives_the_basis marsden_step_for_every_order coefficients_of_marsden_in_every_order
   outer_functions_are_made_of_outer_ones divisors_contain_the_span
   power_of_t_in_every_degree
@@ -290,6 +292,7 @@ For $t_r=0$ the power $t_r^0$ is 1.  The entries do not change when all knots mo
 :argued: every order and every pattern of knots | Each of the two is true for every order and every pattern of knots, by the arguments of `thm-4.4.1` and `thm-4.4.3`.
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
+:needs: polynomial_of_a_span_ends_with_it | (4.4.1), the parameter of what is represented: $t_r\le t<t_{r+1}$ | $t$ lies in the span
 :figure: both_matrices
 
 Both are computed by their letter, and each gives $N_{i,k}$ in powers of $u$, which is one polynomial; so the entries are equal.
@@ -641,7 +644,7 @@ CLAIM(cofactors_give_powers_of_t)
 :::{statement} wang-ch4:thm-4.4.3-step-power
 :title: The powers of t in powers of u
 :zh: t 的幂按 u 的幂展开
-:printed: t^\mu=\sum_{j=0}^\mu\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j,\quad\mu=0,\dots,k-1
+:printed: t^\mu=\sum_{j=0}^\mu\binom\mu j(t_{r+1}-t_r)^jt_r^{\mu-j}u^j,\quad\mu=0,1,\dots,k-1
 :holds-by: power_of_t_in_every_degree
 :confirmed-by: power_of_t_in_powers_of_u
 :needs: empty_span_has_no_parameter | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty

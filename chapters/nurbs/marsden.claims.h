@@ -710,7 +710,7 @@ What is compared is the same for every order: a factor more, and every coefficie
 :let: $c=\binom mj$, so that $\binom m{j-1}=c\frac jh$ and $\binom{m+1}j=c\frac{j+h}h$; $A=j!$, $B=(k-1-j)!$, $\binom{k-1}j=\frac{(k-1)!}{AB}$
 :then: (1) the numbers with $b$ have $\mathrm{Sym}_j=S_j+bS_{j-1}$, and $(x-b)\bigl(\dots+\sigma S_jx^{m-j}-\sigma S_{j-1}x^{m-j+1}+\dots\bigr)$ has at $x^{m+1-j}$
   the coefficient $\sigma(S_j+bS_{j-1})$; (2) of $m+1$ numbers $t$ it is $\binom{m+1}jt^j=\binom mjt^j+t\binom m{j-1}t^{j-1}$; (3)
-  $\frac{\sigma j!}{(k-1)!}\,\sigma(k-1-j)!\,S_j=S_j\big/\binom{k-1}j$
+  $\frac{\sigma j!}{(k-1)!}\cdot\sigma(k-1-j)!\,S_j=S_j\big/\binom{k-1}j$
 :method: (1) and (2) are the steps of inductions on the number of factors, in which all letters are variables; without factors both products are 1; for $j=0$
   both coefficients are 1, and for $j=m+1$, where $S_j$ and $\binom mj$ are 0, they are $\sigma bS_m$ and $t\cdot t^m$: $\omega_{i,k}(x)=\sum_j(-1)^j\mathrm{Sym}_j\,x^{k-1-j}$,
   and $(x-t)^{k-1}=\sum_j(-1)^j\binom{k-1}jt^jx^{k-1-j}$.  A polynomial that is differentiated $k-1-j$ times has at 0 the value $(k-1-j)!$ times

@@ -199,12 +199,12 @@ CLAIM(printed_simple_difference_has_wrong_sign)
 :title: The B-spline of simple knots
 :zh: 单节点 B 样条基
 :printed: when all knots are simple, by theorem 4.4.1 $N_{i,k}(t)=(t_{i+k}-t_i)\sum_{l=r+1}^{i+k}\alpha_l(t_l-t)^{k-1}$, $i=r-k+1,r-k+2,\dots,r$
-:reading: simple_function_in_every_order | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$, the factor of $f(t_l)$ in the divided difference
+:reading: simple_function_in_every_order | $\alpha_l$ is the weight $\alpha_{\lambda0}$ of lemma 4.4.1 at the node $t_l$, the factor of $f(t_l)$ in the divided difference, and $t$ is in the span
 :reading-with: simple_difference_in_every_order
 :reading: printed_weights_give_the_negative_basis | $\alpha_l$ is what the formula for the divided difference before it has in front of $f(t_l)$ as
   printed: so read it is $-N_{0,1}$ for $k=1$
 :corrected: \alpha_l=\Bigl[\prod_{j=i,\,j\ne l}^{i+k}(t_l-t_j)\Bigr]^{-1}
-:corrected-by: simple_function_in_every_order simple_difference_in_every_order
+:corrected-by: simple_function_in_every_order
 :confirmed-by: simple_basis_from_weights simple_difference_has_factors_of_both_orders
 :needs: polynomial_of_a_span_ends_with_it | theorem 4.4.1, from which it is taken: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :figure: simple_knots_sign
