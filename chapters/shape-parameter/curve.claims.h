@@ -202,7 +202,7 @@ all.  A polygon that has no other edge gives one curve for all $\beta$, and this
 :::{claim} points_move_evenly_with_beta
 :title: The point of a parameter moves on a straight line, evenly with beta
 :zh: 曲线上的点随 β 匀速直线移动
-:given: points $P_0,\dots,P_n$ of the plane, any $\beta$, $h$ and $t$
+:given: points $P_0,\dots,P_n$ of the plane, any $\beta$, $h$ and $t$; the curves $q_\beta$ of the corrected functions; $s=1-t$, $a_k=\binom{n-2}{k-1}-\binom{n-2}{k-2}$
 :then: $q_{\beta+h}(t)-q_\beta(t)=h\sum_{k=1}^na_k(P_k-P_{k-1})s^{n+1-k}t^k$
 :method: The kernel at $\beta+h$ and $\beta$, everything a variable; coordinate by coordinate, so that it is true in every dimension.
 :degrees: 2..7 sampled 12
@@ -635,13 +635,12 @@ CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$, for the printed ones only for $\beta=0$
 :corrected-by: reversed_polygon_reverses_the_curve printed_outer_functions_are_mirror_images
-:reading: printed_sum_in_closed_form | "only for $\beta=0$" in the correction, with the curves compared as sets of points, $-7\le\beta\le1$: for $\beta\ne0$ the printed curve of
-  $P_0=\dots=P_6=(0,1)$, $P_7=(1,1)$ is $(\hat B_7(t),\,1-4\beta s^3t^4)$, that of the reversed polygon at $s=1-t$ is
-  $(\hat B_7(t),\,1-4\beta s^4t^3)$, and $\hat B_7$ rises: two sets
-:reading-with: printed_outer_functions_are_mirror_images derivative_of_a_function_factors first_function_falls_and_last_rises
+:confirmed-by: printed_sum_in_closed_form derivative_of_a_function_factors first_function_falls_and_last_rises
 :figure: two_directions_two_curves
 
-What is compared is the point at $1-t$ with that at $t$, as in (12), and for all polygons together.
+What is compared is the point at $1-t$ with that at $t$, as in (12), and for all polygons together.  For $-7\le\beta\le1$ it is the same with sets of points:
+for $\beta\ne0$ the printed curve of $P_0=\dots=P_6=(0,1)$, $P_7=(1,1)$ is $(\hat B_7(t),\,1-4\beta s^3t^4)$, that of the reversed polygon at $s=1-t$ is
+$(\hat B_7(t),\,1-4\beta s^4t^3)$, and $\hat B_7$ rises: two sets.
 :::
 
 :::{claim} printed_curve_is_not_reversed
