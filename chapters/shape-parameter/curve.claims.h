@@ -469,7 +469,7 @@ CLAIM(derivatives_of_the_curve)
 :::{statement} deng-zhang-2022:property-3.1-tangent
 :title: The curve interpolates the end points and touches the end edges
 :zh: 端点插值与端边相切
-:printed: the curve interpolates the first and last control point and is tangent to the first and last edge
+:printed: the curve interpolates the first and last control point and is tangent to the first and last edge (definition 2.1: $-7\le\beta\le1$)
 :holds-by: end_points_and_end_derivatives
 :confirmed-by: functions_vanish_to_their_orders_at_the_ends second_derivative_takes_over_at_minus_seven
 :hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$
@@ -565,7 +565,7 @@ of the curve is $B_2(t)$.
 :::{statement} deng-zhang-2022:property-3.2
 :title: The curve lies in the convex hull of its points
 :zh: 凸包性
-:printed: by property 2.1 the curve lies in the convex hull of the control points
+:printed: by property 2.1 the curve lies in the convex hull of the control points (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
 :class: false
 :corrected: true for the corrected functions (`sec-2-properties`) exactly when $-\frac{21}4\le\beta\le1$; for the printed ones only for $\beta=0$
@@ -759,7 +759,7 @@ where it is, do no harm.
 :title: The curve does not depend on the coordinate system
 :zh: 几何不变性
 :printed: the curve depends only on the control points and not on the position and direction of the coordinate system, that is, its shape stays
-  the same after translations and rotations of the coordinates
+  the same after translations and rotations of the coordinates (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$; the printed curve of the points $P_i+v$ is the old one
@@ -774,7 +774,7 @@ where it is, do no harm.
 :title: An affine map of the polygon is the same map of the curve
 :zh: 仿射不变性
 :printed: after scaling, shearing and other affine maps of the control polygon the new curve is the image of the old one under
-  the same map
+  the same map (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$; with the printed ones for linear maps, for all affine maps

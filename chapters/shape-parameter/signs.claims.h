@@ -130,6 +130,7 @@ one maximum of the function is between these two.
 :title: One maximum is seen from figure 1 and verified by the derivatives
 :zh: 单峰性的论证
 :printed: that each function has one local maximum on $[0,1]$ can be judged from figure 1 and verified by differentiating the functions
+  (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: third_function_has_two_maxima
 :class: invalid-proof
 :corrected: figure 1 is for one value of $\beta$, $-1$, for which each function, printed or corrected (`sec-2-properties`), has exactly one local
@@ -384,6 +385,7 @@ $t=\frac{a_i}{a_i+a_{i+1}}$ when $a_i$ and $a_{i+1}$ have one sign.
 :title: How the functions depend on beta
 :zh: 对 β 的单调性
 :printed: for fixed $t$, $B_{0,7}(t)$ and $B_{7,7}(t)$ are decreasing functions of $\beta$, and $B_{1,7}(t),\dots,B_{6,7}(t)$ increasing ones
+  (definition 2.1: $t\in[0,1]$, $-7\le\beta\le1$)
 :refuted-by: second_function_decreases
 :class: false
 :corrected: for $0<t<1$: $B_0$ and $B_7$ decrease; $B_1$ increases exactly for $t<\frac15$, $B_2$ for $t<\frac49$, $B_5$ for
