@@ -715,8 +715,8 @@ CLAIM(reversed_polygon_reverses_the_curve)
 :figure: two_directions_two_curves
 :degree: 7
 
-As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.  With the printed functions the
-equation in the middle fails, too: the left sum is the point of the reversed polygon at $1-t$, the right one that at $t$.
+As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.  With the printed functions and
+$\beta\ne0$ the equation in the middle fails for some polygons, too: the left sum is the point of the reversed polygon at $1-t$, the right one that at $t$.
 :::
 */
 
