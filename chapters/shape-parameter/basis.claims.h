@@ -200,6 +200,9 @@ $\beta$.
 :holds-by: leading_coefficients_are_multiples_of_beta
 :hypothesis: degree_falls_for_beta_zero | $\beta\ne0$; for $\beta=0$ the degree of the first function is 7
 :figure: beta_zero
+
+The degree is the exponent of the highest power of $t$.  At most 8 it is for every $\beta$, 0 among them: a linear factor stands before powers of $1-t$
+and $t$ whose exponents have the sum 7.
 :::
 
 :::{claim} leading_coefficients_are_multiples_of_beta
