@@ -158,7 +158,7 @@ CLAIM(two_digits_are_corrected)
 :::{claim} mirror_images_with_sum_one_are_unique
 :title: For mirror images with linear factors the sum 1 leaves the two corrected functions
 :zh: 修正的唯一性
-:given: any $\beta$, and $\hat B_3=(xs+yt)s^4t^3$, $\hat B_4=(ys+xt)s^3t^4$ with any $x$ and $y$, the other six functions as
+:given: any $\beta$, and $B_3=(xs+yt)s^4t^3$, $B_4=(ys+xt)s^3t^4$ with any $x$ and $y$, $s=1-t$, the other six functions as
   printed
 :then: the sum of the eight functions is $1+(x-35-5\beta)(s^5t^3+s^3t^5)+(2y-70)s^4t^4$; so it is 1 for all $t$ only for
   $x=35+5\beta$, $y=35$
@@ -178,7 +178,7 @@ CLAIM(mirror_images_with_sum_one_are_unique)
     B[4] = mul(add(mul(y, s), mul(x, t)), G(product_of_powers)(3, 4, t));
     for (int i = 0; i <= 7; i++)
         sum = add(sum, B[i]);
-    /* Σ B̂_i = 1 + (x - 35 - 5β)(s⁵t³ + s³t⁵) + (2y - 70) s⁴t⁴ */
+    /* Σ B_i = 1 + (x - 35 - 5β)(s⁵t³ + s³t⁵) + (2y - 70) s⁴t⁴ */
     num outer = sub(sub(x, from_int(35)), mul(from_int(5), beta));
     num inner = sub(mul(from_int(fault(T, 2, 1)), y), from_int(70));
     num rest = add(mul(outer, add(G(product_of_powers)(5, 3, t), G(product_of_powers)(3, 5, t))),
@@ -200,6 +200,9 @@ $\beta$.
 :holds-by: leading_coefficients_are_multiples_of_beta
 :hypothesis: degree_falls_for_beta_zero | $\beta\ne0$; for $\beta=0$ the degree of the first function is 7
 :figure: beta_zero
+
+The degree is the exponent of the highest power of $t$.  At most 8 it is for every $\beta$, 0 among them: a linear factor stands before powers of $1-t$
+and $t$ whose exponents have the sum 7.
 :::
 
 :::{claim} leading_coefficients_are_multiples_of_beta
@@ -815,8 +818,8 @@ CLAIM(beta_zero_gives_bernstein_polynomials)
 :zh: 图 1
 :printed: figure 1 shows the eight functions for $\beta=-1$
 :degree: 7
-:reading: that these functions, and which of the two, are drawn: the figure is not in the text that was examined, so that nothing is there to be
-  decided
+:reading: that the eight functions drawn are those of (1) as printed, or the corrected ones (`sec-2-properties`): the figure is not in the text that
+  was examined, so that nothing is there to be decided
 :reading: printed_sum_in_closed_form | that the eight functions of the figure, if they are those of (1) as printed, have the sum $1+4(1-t)^3t^4$
 :reading: corrected_functions_sum_to_one | that the eight functions of the figure, if they are the corrected ones (`sec-2-properties`), have the sum 1
 :figure: eight_functions

@@ -202,7 +202,7 @@ all.  A polygon that has no other edge gives one curve for all $\beta$, and this
 :::{claim} points_move_evenly_with_beta
 :title: The point of a parameter moves on a straight line, evenly with beta
 :zh: 曲线上的点随 β 匀速直线移动
-:given: points $P_0,\dots,P_n$ of the plane, any $\beta$, $h$ and $t$
+:given: points $P_0,\dots,P_n$ of the plane, any $\beta$, $h$ and $t$; the curves $q_\beta$ of the corrected functions; $s=1-t$, $a_k=\binom{n-2}{k-1}-\binom{n-2}{k-2}$
 :then: $q_{\beta+h}(t)-q_\beta(t)=h\sum_{k=1}^na_k(P_k-P_{k-1})s^{n+1-k}t^k$
 :method: The kernel at $\beta+h$ and $\beta$, everything a variable; coordinate by coordinate, so that it is true in every dimension.
 :degrees: 2..7 sampled 12
@@ -469,7 +469,7 @@ CLAIM(derivatives_of_the_curve)
 :::{statement} deng-zhang-2022:property-3.1-tangent
 :title: The curve interpolates the end points and touches the end edges
 :zh: 端点插值与端边相切
-:printed: the curve interpolates the first and last control point and is tangent to the first and last edge
+:printed: the curve interpolates the first and last control point and is tangent to the first and last edge (definition 2.1: $-7\le\beta\le1$)
 :holds-by: end_points_and_end_derivatives
 :confirmed-by: functions_vanish_to_their_orders_at_the_ends second_derivative_takes_over_at_minus_seven
 :hypothesis: edge_is_not_tangent_at_minus_seven | $\beta\ne-7$
@@ -565,7 +565,7 @@ of the curve is $B_2(t)$.
 :::{statement} deng-zhang-2022:property-3.2
 :title: The curve lies in the convex hull of its points
 :zh: 凸包性
-:printed: by property 2.1 the curve lies in the convex hull of the control points
+:printed: by property 2.1 the curve lies in the convex hull of the control points (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_leaves_a_single_point corrected_curve_leaves_the_hull_at_minus_seven
 :class: false
 :corrected: true for the corrected functions (`sec-2-properties`) exactly when $-\frac{21}4\le\beta\le1$; for the printed ones only for $\beta=0$
@@ -635,13 +635,12 @@ CLAIM(corrected_curve_leaves_the_hull_at_minus_seven)
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$, for the printed ones only for $\beta=0$
 :corrected-by: reversed_polygon_reverses_the_curve printed_outer_functions_are_mirror_images
-:reading: printed_sum_in_closed_form | "only for $\beta=0$" in the correction, with the curves compared as sets of points, $-7\le\beta\le1$: for $\beta\ne0$ the printed curve of
-  $P_0=\dots=P_6=(0,1)$, $P_7=(1,1)$ is $(\hat B_7(t),\,1-4\beta s^3t^4)$, that of the reversed polygon at $s=1-t$ is
-  $(\hat B_7(t),\,1-4\beta s^4t^3)$, and $\hat B_7$ rises: two sets
-:reading-with: printed_outer_functions_are_mirror_images derivative_of_a_function_factors first_function_falls_and_last_rises
+:confirmed-by: printed_sum_in_closed_form derivative_of_a_function_factors first_function_falls_and_last_rises
 :figure: two_directions_two_curves
 
-What is compared is the point at $1-t$ with that at $t$, as in (12), and for all polygons together.
+What is compared is the point at $1-t$ with that at $t$, as in (12), and for all polygons together.  For $-7\le\beta\le1$ it is the same with sets of points:
+for $\beta\ne0$ the printed curve of $P_0=\dots=P_6=(0,1)$, $P_7=(1,1)$ is $(\hat B_7(t),\,1-4\beta s^3t^4)$, that of the reversed polygon at $s=1-t$ is
+$(\hat B_7(t),\,1-4\beta s^4t^3)$, and $\hat B_7$ rises: two sets.
 :::
 
 :::{claim} printed_curve_is_not_reversed
@@ -716,8 +715,8 @@ CLAIM(reversed_polygon_reverses_the_curve)
 :figure: two_directions_two_curves
 :degree: 7
 
-As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.  With the printed functions the
-equation in the middle fails, too: the left sum is the point of the reversed polygon at $1-t$, the right one that at $t$.
+As printed, with one meaning of $B_1$, the ends of the chain say that every curve is its own reverse.  With the printed functions and
+$\beta\ne0$ the equation in the middle fails for some polygons, too: the left sum is the point of the reversed polygon at $1-t$, the right one that at $t$.
 :::
 */
 
@@ -760,7 +759,7 @@ where it is, do no harm.
 :title: The curve does not depend on the coordinate system
 :zh: 几何不变性
 :printed: the curve depends only on the control points and not on the position and direction of the coordinate system, that is, its shape stays
-  the same after translations and rotations of the coordinates
+  the same after translations and rotations of the coordinates (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$; the printed curve of the points $P_i+v$ is the old one
@@ -775,7 +774,7 @@ where it is, do no harm.
 :title: An affine map of the polygon is the same map of the curve
 :zh: 仿射不变性
 :printed: after scaling, shearing and other affine maps of the control polygon the new curve is the image of the old one under
-  the same map
+  the same map (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_changes_under_translation
 :class: misprint
 :corrected: true for the corrected functions (`sec-2-properties`) for every $\beta$; with the printed ones for linear maps, for all affine maps

@@ -130,6 +130,7 @@ one maximum of the function is between these two.
 :title: One maximum is seen from figure 1 and verified by the derivatives
 :zh: 单峰性的论证
 :printed: that each function has one local maximum on $[0,1]$ can be judged from figure 1 and verified by differentiating the functions
+  (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: third_function_has_two_maxima
 :class: invalid-proof
 :corrected: figure 1 is for one value of $\beta$, $-1$, for which each function, printed or corrected (`sec-2-properties`), has exactly one local
@@ -142,7 +143,7 @@ one maximum of the function is between these two.
 :::{claim} derivative_of_a_function_factors
 :title: The derivative is a product of powers and a quadratic polynomial
 :zh: 基函数导数的分解
-:given: any $\nu$ and $\varphi$, $F=(\nu s+\varphi t)s^{n-i}t^i$, $0\le i\le n$
+:given: any $\nu$ and $\varphi$, $F=(\nu s+\varphi t)s^{n-i}t^i$ with $s=1-t$, $0\le i\le n$
 :then: $F'=s^{n-i-1}t^{i-1}\bigl(i\nu s^2+((i+1)\varphi-(n+1-i)\nu)st-(n-i)\varphi t^2\bigr)$ for $1\le i\le n-1$; for $i=0$
   $F'=s^{n-1}\bigl((\varphi-(n+1)\nu)s-n\varphi t\bigr)$, for $i=n$ $F'=t^{n-1}\bigl(n\nu s+((n+1)\varphi-\nu)t\bigr)$
 :method: The derivative of the Bézier polynomial with the two coefficients of $F$ against the products; $\nu$, $\varphi$
@@ -230,7 +231,7 @@ CLAIM(quadratic_factor_changes_its_sign_once)
 :kind: decision
 :data: range of β = -21/4 1
 :instead: range of β = -7 1
-:given: the true range of $\beta$, the printed and the corrected functions
+:given: the true range of $\beta$, the printed and the corrected functions $(\nu_is+\varphi_it)s^{n-i}t^i$
 :then: for $0<i<n$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative changes its sign once
   in $(0,1)$, from plus to minus; function $i$, which is 0 at both ends, rises and then falls
 :method: The signs of linear polynomials in $\beta$, decided on the interval.
@@ -384,6 +385,7 @@ $t=\frac{a_i}{a_i+a_{i+1}}$ when $a_i$ and $a_{i+1}$ have one sign.
 :title: How the functions depend on beta
 :zh: 对 β 的单调性
 :printed: for fixed $t$, $B_{0,7}(t)$ and $B_{7,7}(t)$ are decreasing functions of $\beta$, and $B_{1,7}(t),\dots,B_{6,7}(t)$ increasing ones
+  (definition 2.1: $t\in[0,1]$, $-7\le\beta\le1$)
 :refuted-by: second_function_decreases
 :class: false
 :corrected: for $0<t<1$: $B_0$ and $B_7$ decrease; $B_1$ increases exactly for $t<\frac15$, $B_2$ for $t<\frac49$, $B_5$ for
@@ -473,7 +475,8 @@ CLAIM(slopes_in_beta)
 :data: change, corrected functions = 0 1/5 4/9 0 0 5/9 4/5 0; change, printed functions = 0 1/5 4/9 5/9 0 5/9 4/5 0;
   sign before = -1 1 1 1 1 -1 -1 -1
 :instead: change, corrected functions = 0 1/6 4/9 0 0 5/9 4/5 0; change, printed functions = 0 1/6 4/9 5/9 0 5/9 4/5 0
-:given: the slopes $b_i+c_it$, $0<t<1$; for each $i$ a number of this interval, or 0 for none, and a sign
+:given: the slopes in $\beta$ of the linear factors of the printed and the corrected functions, $b_i+c_it$ with $0<t<1$; for each $i$ a number of
+  this interval, or 0 for none, and a sign
 :then: the slope has the sign up to the number and the other sign behind it; without a number it has the sign in the whole
   interval
 :method: The slopes are the differences of the factors at $\beta=1$ and $\beta=0$; the sign of a linear polynomial on the two
