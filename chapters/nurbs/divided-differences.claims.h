@@ -800,8 +800,8 @@ The order that is told is $k$, that of the divided difference.
 :argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
   do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
 :meant: the words behind the formula: $\beta_i$ $(i=0,1,\dots,k)$ | The elements of the last column are counted from 0.
-:reading: counting_from_one_shifts_the_weights | the elements of the last column are counted from 1, so that $\beta_1$ belongs to the first: then the weights stand at other
-  places
+:reading: counting_from_one_shifts_the_weights | with the elements of the last column counted from 1, so that $\beta_1$ belongs to the first, the $\alpha_{ij}(T)$ are the weights of
+  (4.4.8)
 
 The formula for $\alpha_{ij}(T)$ is printed twice.
 :::
