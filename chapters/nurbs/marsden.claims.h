@@ -676,7 +676,7 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :::{statement} wang-ch4:formula-4.4.20
 :title: The powers of t in the B-spline basis
 :zh: 幂函数由 B 样条基表示
-:printed: suppose $t\in[t_r,t_{r+1})$; comparing the coefficients of the same powers of $x$ on both sides of (4.4.13) gives
+:printed: suppose $t\in[t_r,t_{r+1})$; comparing the coefficients of the same powers of x on both sides of (4.4.13) gives
   $t^\mu=\frac{(-1)^\mu\mu!}{(k-1)!}\sum_{i=r-k+1}^r\omega_{i,k}^{(k-1-\mu)}(0)\,N_{i,k}(t)$, $\mu=0,1,\dots,k-1$
 :holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: powers_of_t_from_derivatives
