@@ -40,6 +40,8 @@ node the next derivative, of order $m$, is not 0, unless that polynomial is 0 th
 :checked-by: derivative_lowers_the_multiplicity_by_one
 :confirmed-by: osculation_is_divisibility
 :figure: osculating_polynomial
+
+In definition 4.4.2 this is asked of $p$ and $q$ at every knot $t$ of $T$; $m$ is its multiplicity.
 :::
 */
 
@@ -301,7 +303,7 @@ CLAIM(system_says_osculation)
 :::{statement} wang-ch4:formula-4.4.6
 :title: The last row of each node in the matrix
 :zh: 方程组 (4.4.6) 中各节点的末行
-:printed: in the matrix on the left, which begins with the rows $1,\tau_1,\tau_1^2,\dots,\tau_1^k$ and $0,1,2\tau_1,\dots,k\tau_1^{k-1}$, the last row of $\tau_1$ is
+:printed: in the matrix on the left of (4.4.6), which begins with the rows $1,\tau_1,\tau_1^2,\dots,\tau_1^k$ and $0,1,2\tau_1,\dots,k\tau_1^{k-1}$, the last row of $\tau_1$ is
   $0,0,0,\dots,\frac{k!}{(k-l_1-1)!}\tau_1^{k-l_1+1}$; the first row of $\tau_d$ is $1,\tau_d,\tau_d^2,\dots,\tau_d^k$, the last
   $0,0,0,\dots,\frac{k!}{(k-l_d-1)!}\tau_d^{k-l_d+1}$
 :class: misprint
