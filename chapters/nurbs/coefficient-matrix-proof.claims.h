@@ -14,15 +14,16 @@ and the third lose a condition that the theorem has.  Here they are decided line
 :zh: 证明第一行:截断幂的导数之和
 :printed: N_{i,k}(t)=(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}
   \frac{d^\mu(x-t)_+^{k-1}}{dx^\mu}\Big|_{x=\tau_\lambda}
-:holds-by: truncated_power_gives_the_basis truncated_power_steps_in_every_order linear_factor_in_a_divided_difference
+:holds-by: truncated_power_gives_the_basis all_full_powers_sum_to_nothing truncated_power_steps_in_every_order linear_factor_in_a_divided_difference
 :argued: every k | By `truncated_power_steps_in_every_order` and `linear_factor_in_a_divided_difference` $N_{i,k}$ is $t_{i+k}-t_i$ times the divided
-  difference of the truncated power for every $k$, which is this sum by lemma 4.4.1.
+  difference of the truncated power for every $k$ and every $t$ between the knots of the function, which is this sum by lemma 4.4.1.  For all other $t$ both sides are 0: left of the knots the
+  power is a full one, of degree $k-1$ in $x$, whose divided difference is 0 (`all_full_powers_sum_to_nothing`); from the last one on it is 0 with its derivatives.
 :hypothesis: zero_power_at_a_knot_of_multiplicity_k | $t$ is no knot of multiplicity $k$ in $T_i$, or $0_+^0$ counts as 0: at
   such a knot the derivative of order $k-1$ is $(k-1)!\,0_+^0$, which for $k=1$ is the truncated power itself and for $k>1$ does not exist
 :figure: zero_power_at_a_knot
 
-The reason that is given is 2.7.4 with lemma 4.4.1; whatever 2.7.4 is, the section is not at hand, and the copy has lost the word before the number; it is computed here.  The sentence before abbreviates $d(T_i),l_q(T_i),\tau_q(T_i),\alpha_{\lambda\mu}(T_i)$ to $d,l_q,\tau_q,\alpha_{\lambda\mu}$; in the copy at hand the first four have lost their $(T_i)$, too.  As in the theorem $t$ is
-in a span between the knots of the function.
+The reason that is given is 2.7.4 with lemma 4.4.1; whatever 2.7.4 is, the section is not at hand, and the copy has lost the word before the number; it is computed here.  The sentence before abbreviates $d(T_i),l_q(T_i),\tau_q(T_i),\alpha_{\lambda\mu}(T_i)$ to $d,l_q,\tau_q,\alpha_{\lambda\mu}$; in the copy at hand the first four have lost their $(T_i)$, too.  The
+knots of $T_i$ are not all equal, as $[t_r,t_{r+1})$ is not empty and lies between them.
 :::
 */
 
@@ -211,7 +212,7 @@ because the condition $\tau_\lambda>t_r$ comes back in (4.4.12).
 :title: With the full powers the sum is always 0
 :zh: 不截断则和恒为零
 :given: every pattern of the $k+1$ knots of a function, the different knots and $t$ variables; random patterns for greater $k$
-:then: the printed second line is 0 for every $t$
+:then: $(t_{i+k}-t_i)\sum_{\lambda=1}^d\sum_{\mu=0}^{l_\lambda-1}\alpha_{\lambda\mu}\frac{(k-1)!}{(k-1-\mu)!}(\tau_\lambda-t)^{k-1-\mu}$ is 0 for every $t$
 :method: The sum with the weights $\alpha$ of (4.4.9) of all $\tau_\lambda$.
 :degrees: 0..4 sampled 7
 :scope: every multiplicity of the knots of a function
@@ -434,7 +435,7 @@ $\mu$ a given $j$ occurs.
 :let: $m=\max(j,k-l)$, the first of these in one case, the second in the other; $A=j!$, $B=(k-1-\mu-j)!$, $\binom{k-1-\mu}j=\frac{(k-1-\mu)!}{AB}$
 :then: $k-1-m$ is $k-1-j$, which is $d$ less than $l-1$, in the first case; in the second it is $l-1$, which is $d$ less than $k-1-j$; and
   $\frac{(k-1)!}{(k-1-\mu)!}\binom{k-1-\mu}j=\frac{(k-1)!}{AB}$
-:method: Identities in $k$, $l$, $j$ and $d$, and in the factorials.  So $\mu\le l-1$ and $\mu\le k-1-j$, which is $j\le k-\mu-1$, say together
+:method: Identities in $k$, $l$, $j$ and $d$, and in the factorials.  Of the $k+1$ knots of the function one at least is $t_r$ or before it, so that those behind $t_r$ have $l\le k$.  So $\mu\le l-1$ and $\mu\le k-1-j$, which is $j\le k-\mu-1$, say together
   $\mu\le k-1-\max(j,k-l)$, and the term of $\mu$ and $j$ is the same in both sums.
 :degrees: all
 :over: l j d k: -; A B C D: -

@@ -40,6 +40,8 @@ node the next derivative, of order $m$, is not 0, unless that polynomial is 0 th
 :checked-by: derivative_lowers_the_multiplicity_by_one
 :confirmed-by: osculation_is_divisibility
 :figure: osculating_polynomial
+
+In definition 4.4.2 this is asked of $p$ and $q$ at every knot $t$ of $T$; $m$ is its multiplicity.
 :::
 */
 
@@ -301,7 +303,7 @@ CLAIM(system_says_osculation)
 :::{statement} wang-ch4:formula-4.4.6
 :title: The last row of each node in the matrix
 :zh: 方程组 (4.4.6) 中各节点的末行
-:printed: in the matrix on the left, which begins with the rows $1,\tau_1,\tau_1^2,\dots,\tau_1^k$ and $0,1,2\tau_1,\dots,k\tau_1^{k-1}$, the last row of $\tau_1$ is
+:printed: in the matrix on the left of (4.4.6), which begins with the rows $1,\tau_1,\tau_1^2,\dots,\tau_1^k$ and $0,1,2\tau_1,\dots,k\tau_1^{k-1}$, the last row of $\tau_1$ is
   $0,0,0,\dots,\frac{k!}{(k-l_1-1)!}\tau_1^{k-l_1+1}$; the first row of $\tau_d$ is $1,\tau_d,\tau_d^2,\dots,\tau_d^k$, the last
   $0,0,0,\dots,\frac{k!}{(k-l_d-1)!}\tau_d^{k-l_d+1}$
 :class: misprint
@@ -800,8 +802,8 @@ The order that is told is $k$, that of the divided difference.
 :argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
   do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
 :meant: the words behind the formula: $\beta_i$ $(i=0,1,\dots,k)$ | The elements of the last column are counted from 0.
-:reading: counting_from_one_shifts_the_weights | the elements of the last column are counted from 1, so that $\beta_1$ belongs to the first: then the weights stand at other
-  places
+:reading: counting_from_one_shifts_the_weights | with the elements of the last column counted from 1, so that $\beta_1$ belongs to the first, the $\alpha_{ij}(T)$ are the weights of
+  (4.4.8)
 
 The formula for $\alpha_{ij}(T)$ is printed twice.
 :::

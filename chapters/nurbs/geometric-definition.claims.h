@@ -484,7 +484,8 @@ CLAIM(convex_polygon_has_a_stationary_leg)
 :::{statement} wang-ch4:def-4.3.1
 :title: The curve as the envelope of its polygons
 :zh: NURBS 曲线的几何定义
-:printed: for every fixed value $t=\tau\in[t_k,t_{n+1}]$ compute the levels; then make the family of the curves $\mathbf r^{[2]}(t,\tau)$ of order 2, the polygons; its
+:printed: for points $\mathbf r_i$ of space, weights $w_i>0$ and a partition $T$, $t_j\le t_{j+1}$: for every fixed value $t=\tau\in[t_k,t_{n+1}]$ compute by (4.1.3), (4.1.4), for $r=1,2,\dots,k-2$, the $w_i^{[r]}(\tau)$,
+  $\mathbf r_i^{[r]}(\tau)$; then make the family of the curves $\mathbf r^{[2]}(t,\tau)$ of order 2; its
   envelope is the NURBS curve of order $k$ (degree $k-1$) of $T$, $\{\mathbf r_i\}$, $\{w_i\}$, written (4.1.2)
 :class: missing-hypothesis
 :refuted-by: extrapolated_weight_vanishes convex_polygon_has_a_stationary_leg
@@ -494,15 +495,14 @@ CLAIM(convex_polygon_has_a_stationary_leg)
   the section: more than the curve, even for a strictly convex control polygon
 :reading: legs_are_tangents_of_the_continued_segments | the envelope as a curve that touches a varying polygon in each
   of its points: where the polygons exist it is the curve alone, unless a segment is straight or a point | With $\tau\ne t$
-  the condition holds for finitely many $\tau$ only, the zeros of $\mathbf r'\times\mathbf r''$ of the continued segments; on a
+  the condition holds for finitely many $\tau$ only, zeros of $\mathbf r'\times\mathbf r''$ or of $w$ of the continued segments; on a
   curve that touches a varying polygon $\tau$ runs through intervals.
 :reading-with: first_level_condition_factors
 :meant: the words "for every", and the section, by which the envelope is all joint solutions | The first and the
   second together: every $\tau$ has its polygon, and all joint solutions are points of the curve.
-:corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  The pairs $(t,\tau)$
-  of the whole square, $t_k\le t,\tau\le t_{n+1}$, where the two derivatives are parallel are $\tau=t$ and the $\tau$ where the segment of the span
-  of $t$, continued to $\tau$, with $w(\tau)\ne0$ there, has $\mathbf r'\times\mathbf r''=0$; with $k=3$ there are none of these if no three
-  neighbouring points are on a line
+:corrected: if the polygons are defined and $\mathbf r'\ne0$, the curve is an envelope of them.  Of the pairs $(t,\tau)$ of the whole square, $t_k\le t,\tau\le t_{n+1}$, for which
+  the segment of the span of $t$, continued to $\tau$, has $w(\tau)\ne0$, the two derivatives are parallel where $\tau=t$ and where that segment has $\mathbf r'\times\mathbf r''=0$
+  at $\tau$, and nowhere else; with $k=3$ no pair is of the second kind if no three neighbouring points are on a line
 :corrected-by: legs_are_tangents_of_the_continued_segments quadratic_legs_have_one_envelope first_level_condition_factors
   divisors_contain_the_span
 :argued: every k and all knots | In the polar form of a segment (4.1.3) puts $\tau$ for one argument, in each of which the form is affine, and at the two points of a leg it divides by
@@ -510,7 +510,7 @@ CLAIM(convex_polygon_has_a_stationary_leg)
 :confirmed-by: whole_member_is_polar_on_every_span
 :figure: nurbs_polygons_extra
 
-In `first_level_condition_factors` the curve is taken at $t$ and the point of the tangent is told by $\tau$; here it is the other way round, so that $t$ and $\tau$ are to be
+A curve of order 2 is a polygon, see `def-4.3.1-polygon`.  In `first_level_condition_factors` the curve is taken at $t$ and the point of the tangent is told by $\tau$; here it is the other way round, so that $t$ and $\tau$ are to be
 exchanged there.
 :::
 

@@ -385,10 +385,10 @@ functions is one level of de Boor's algorithm for the coefficients.
   another explicit representation of the coefficient matrix
 :holds-by: marsden_step_for_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: one_level_moves_to_the_coefficients one_level_takes_off_a_factor every_link_of_the_chain
-:meant: the name of a definition by recursion, which has a beginning, as (2.1.1) is not at hand | The recursion together with the functions of order 1: these say, by induction, that
+:meant: the preface, item 1, where this recursion defines the curves: a definition by recursion has a beginning; (2.1.1) itself is not at hand | The recursion together with the functions of order 1: these say, by induction, that
   $N_{r-k+1,k-1}$ and $N_{r+1,k-1}$ are $0$ on the span.
 :needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are summed
-:reading: one_level_needs_the_span | (2.1.1) as the step of the recursion alone, which is true for every $t$: then (4.4.15) would be, too; the supports are used as well
+:reading: one_level_needs_the_span | the proof needs nothing of (2.1.1) but the step of the recursion, which is true for every $t$: then (4.4.15) would be, too; the supports are used as well
 :figure: marsden_identity
 
 That one formula suffices is what is decided; the other matrix is that of `thm-4.4.3`.  That the proof is short and new, how [15] proves the identity, and that it is a
@@ -676,7 +676,7 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :::{statement} wang-ch4:formula-4.4.20
 :title: The powers of t in the B-spline basis
 :zh: 幂函数由 B 样条基表示
-:printed: suppose $t\in[t_r,t_{r+1})$; comparing the coefficients of the same powers of $x$ on both sides of (4.4.13) gives
+:printed: suppose $t\in[t_r,t_{r+1})$; comparing the coefficients of the same powers of x on both sides of (4.4.13) gives
   $t^\mu=\frac{(-1)^\mu\mu!}{(k-1)!}\sum_{i=r-k+1}^r\omega_{i,k}^{(k-1-\mu)}(0)\,N_{i,k}(t)$, $\mu=0,1,\dots,k-1$
 :holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: powers_of_t_from_derivatives
