@@ -125,7 +125,7 @@ static inline void G(refute_closer_to_a_convex_polygon)(trial *T, int n)
 {
     num P[8 * dim], beta[2];
     int farther = G(one_is_farther)(T, n, P, beta);
-    about(T, "the polygon is not convex, or the larger beta is not farther");
+    about(T, "the polygon is not convex, or the curve of the second beta is not farther");
     refute(T, polygon_is_convex(n, P, 1, NULL) && farther);
 }
 #endif
