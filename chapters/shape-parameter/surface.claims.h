@@ -681,8 +681,8 @@ static int products(struct operations cost) { return cost.multiplications + cost
 
 /*
 :::{claim} degree_eight_takes_more_operations
-:title: A point of a curve of degree eight takes more operations than one of degree seven
-:zh: 八次曲线上点的运算次数多于七次
+:title: By the same algorithm a point of a curve of degree eight takes more operations than one of degree seven
+:zh: 用同一算法, 八次曲线上点的运算次数多于七次
 :kind: decision
 :data: lower degree = 7; higher degree = 8
 :given: two degrees $n$, one to three coordinates $d$; Horner's rule and de Casteljau's algorithm
