@@ -274,6 +274,9 @@ CLAIM(degree_with_the_parameter_exceeds_that_of_the_polygon)
   segment
 :figure: geometric_weights
 
+The two arcs are not even congruent: a congruence keeps the pair of their ends, and with it the line $x=y$ and distances from the chord, and these differ for their
+points on this line.
+
 The sentence goes on that it is not clear yet how to choose the weights; that is an opinion, which no computation decides.
 It cites [10], whose first author is Mainar, printed Marnar.
 :::
