@@ -550,8 +550,8 @@ CLAIM(growing_weight_pulls_each_point_straight_to_the_vertex)
 
 /*
 :::{claim} two_middle_weights_give_two_arcs
-:title: Over the same points two different middle weights give two different sets of points
-:zh: 控制顶点不动, 中间权不同则曲线不同
+:title: Over the corners (1,0), (0,0), (0,1) two different middle weights give two different sets of points
+:zh: 顶点 (1,0)、(0,0)、(0,1) 不动, 中间权不同则曲线不同
 :given: the points $(1,0)$, $(0,0)$, $(0,1)$ with the weights $1,\omega,1$ and with $1,\omega^*,1$; $\omega,\omega^*>0$
 :where: $\omega\ne\omega^*$; the weights are positive
 :then: each curve has one point on the line $x=y$, that of $t=\frac12$, and there $x-x^*=\frac{\omega^*-\omega}{2(1+\omega)(1+\omega^*)}$

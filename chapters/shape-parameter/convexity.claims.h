@@ -35,7 +35,8 @@ sense, for a triangle and its base.
   triangle_has_three_points_on_its_base_below_the_range printed_curves_of_convex_polygons_meet_lines_four_times
   functions_are_independent_but_for_two_values line_function_of_the_curve combination_begins_and_ends_with_its_coefficients
 :confirmed-by: roots_are_at_most_sign_changes third_function_has_a_zero_for_every_smaller_beta
-:meant: the word point of intersection (交点) | Common points are counted as points of the plane.
+:meant: the reason that follows, of a line and the polygon, which for $P_0=P_7$ is true of points of the plane only | Common points are counted as points of the
+  plane.
 :reading: closed_polygon_has_three_parameters_on_a_line | common points counted by their parameters, $P_0=P_7$: three are
   possible
 :figure: convexity_lost

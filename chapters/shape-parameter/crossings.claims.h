@@ -318,7 +318,7 @@ values of $B_2$ take the curve below its triangle.
 :instead: β = -5
 :result: the curve is on the line = "yes"; common points of the polygon = 5; crossings of the polygon = 3
 :given: the left end of the true range, a polygon, and the line through $Q$ with the normal vector $u$; corrected functions
-:then: the whole curve, from $P_0$ to $P_7$, is on the line; the polygon crosses the line and has single points on it, no edge
+:then: the whole curve, from $P_0$ to $P_7$, is on the line; the polygon crosses the line and has single points on it, no edge of positive length
 :method: The curve's Bézier points; `crossings.h` counts the components of the polygon's common points.
 :control: a $\beta$ inside the range
 :::
@@ -330,7 +330,7 @@ CLAIM(curve_on_a_line_that_its_polygon_crosses)
     found_whole(T, "common points of the polygon", m.polygon.components);
     found_whole(T, "crossings of the polygon", m.polygon.crossings);
     int crossed = m.polygon.contained_edges == 0 && m.polygon.crossings > 0;
-    about(T, "the polygon crossing the line and having no edge on it, whether the curve is not on it");
+    about(T, "the curve is not on the line, which the polygon crosses and of which it has single points only");
     refute(T, crossed && m.curve.contained);
 }
 

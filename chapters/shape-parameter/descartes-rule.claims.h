@@ -306,7 +306,7 @@ CLAIM(seven_changes_end_below_zero)
 :confirmed-by: parity_of_the_roots
 :figure: roots_at_minus_seven
 
-The lemma that is cited for $k_7<0$ is not in the text.
+The lemma that is cited for $k_7<0$ is not in the text.  More than eight roots $f$ has not: as $f(0)=k_0>0$ it is not the zero polynomial, and its degree is at most 8.
 :::
 
 :::{statement} deng-zhang-2022:property-3.6-case-2

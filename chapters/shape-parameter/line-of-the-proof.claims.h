@@ -187,8 +187,9 @@ CLAIM(line_through_an_edge_has_no_two_sides)
 :zh: 式 (19)
 :printed: $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$ is at most the number of intersections of $L$ with the polygon
 :holds-by: sign_changes_are_polygon_crossings points_between_two_on_one_side_are_on_it
-:hypothesis: polygon_that_crosses_itself_on_the_line | intersections are counted along the polygon; as points of the plane
-  they may be fewer
+:meant: the sentence before (19), which takes the edges between $P_j$ and $P_{j+1}$ one by one | Intersections are counted along the polygon.
+:reading: polygon_that_crosses_itself_on_the_line | intersections counted as points of the plane: a polygon that crosses itself on $L$ may have fewer than
+  changes of sign
 :figure: polygon_crossing_itself
 :degree: 7
 :::

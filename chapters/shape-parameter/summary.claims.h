@@ -24,7 +24,7 @@ the range from $-\frac{21}4$ to 1.
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`) $\beta$ moves each inner Bézier point $Q_k$ of degree 8, $k=1,\dots,7$, but the middle one, $Q_4$,
   which stays, evenly on the line of its edge $P_{k-1}P_k$, if this is not 0, and each point of the curve on a straight line, evenly or not at all;
-  if the polygon is convex and turns by at most two right angles, the latter move outward or stay while $\beta$ grows from $-\frac72$ to 1
+  if the polygon is convex and turns by at most two right angles, the latter, where $q'(t)\ne0$, move outward or stay while $\beta$ grows from $-\frac72$ to 1
 :corrected-by: bezier_points_divide_the_edges points_move_evenly_with_beta curve_is_a_blend_of_three_points
   growing_beta_pushes_by_the_turns turns_push_outward_in_the_range
 :confirmed-by: turns_push_by_these_numbers_in_every_degree product_of_two_sums_goes_by_pairs
@@ -64,6 +64,8 @@ angles in all, for $a<b$ the angle from the edge $e_a$ to $e_b$, $e_k=P_{k+1}-P_
   curve to the convex polygon of the decision, and farther than it from the convex one of the first counterexample
 :corrected-by: convex_polygon_prefers_beta_one
 :meant: property 3.5, by which a larger $\beta$ is better | The curve of $\beta=1$, the right end of the range, is compared with the one of $\beta=0$.
+:reading: convex_polygon_prefers_zero_to_minus_two | with $\beta=-2$ in the place of 1, since the text does not say for which $\beta$ the curve is better: there is a
+  convex polygon to which the Bézier curve is closer
 :confirmed-by: polygons_that_do_not_move
 :figure: closer_or_not
 
@@ -105,6 +107,8 @@ $P,P,P,P,Q,Q,Q,Q$ (`polygons_that_do_not_move`, with the corrected functions).
   last decision, and farther than it from the convex one of the first counterexample
 :corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one
 :meant: property 3.5, by which a larger $\beta$ is better | The curve of $\beta=1$, the right end of the range, is compared with the one of $\beta=0$.
+:reading: convex_polygon_prefers_zero_to_minus_two | with $\beta=-2$ in the place of 1, since the text does not say for which $\beta$ the curve is better: there is a
+  convex polygon to which the Bézier curve is closer
 :figure: closer_or_not
 
 Adjustable as a parametrized curve; sets of points are not compared.
@@ -269,6 +273,9 @@ CLAIM(degree_with_the_parameter_exceeds_that_of_the_polygon)
 :reading: points_on_a_line_keep_their_segment | read as "every change of the weights changes the shape", for points on a line: they may keep their
   segment
 :figure: geometric_weights
+
+The two arcs are not even congruent: a congruence keeps the pair of their ends, and with it the line $x=y$ and distances from the chord, and these differ for their
+points on this line.
 
 The sentence goes on that it is not clear yet how to choose the weights; that is an opinion, which no computation decides.
 It cites [10], whose first author is Mainar, printed Marnar.

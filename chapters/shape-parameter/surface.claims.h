@@ -40,12 +40,12 @@ it is new.  The surface is a curve of curves, so that it inherits most of what i
 :degree: 7
 :reading: that they look like petals: the polygon is not given, so that nothing is there to be decided
 :reading: end_points_and_end_derivatives | that the curves are closed: for $P_0=P_7$ each of them begins and ends in this point, with the printed functions
-  and with the corrected ones
-:reading: printed_points_move_evenly_with_beta | with the printed functions, for any polygon, the points of one $t$ on the nine curves are on a
-  straight line in equal distances, or are one point; which polygon it is, is not said
-:reading: points_move_evenly_with_beta | with the corrected functions, for any polygon, the points of one $t$ on the nine curves are on a straight line in
-  equal distances, or are one point
+  and with the corrected ones (`sec-2-properties`)
+:confirmed-by: printed_points_move_evenly_with_beta points_move_evenly_with_beta
 :figure: petals
+
+For any polygon the points of one $t$ on the nine curves are on a straight line in equal distances, or are one point, with the printed functions and with the
+corrected ones (`sec-2-properties`).
 :::
 
 ## The surface (张量积曲面)
@@ -681,13 +681,13 @@ static int products(struct operations cost) { return cost.multiplications + cost
 
 /*
 :::{claim} degree_eight_takes_more_operations
-:title: A point of a curve of degree eight takes more operations than one of degree seven
-:zh: 八次曲线上点的运算次数多于七次
+:title: By the same algorithm a point of a curve of degree eight takes more operations than one of degree seven
+:zh: 用同一算法, 八次曲线上点的运算次数多于七次
 :kind: decision
 :data: lower degree = 7; higher degree = 8
 :given: two degrees $n$, one to three coordinates $d$; Horner's rule and de Casteljau's algorithm
-:then: with $n$ for the degree, Horner's rule takes $2(d+1)n$ products and $dn+1$ sums, de Casteljau's algorithm $dn(n+1)$ and
-  half of $dn(n+1)$ plus $n$; all are more for the higher degree
+:then: with $n$ for the degree, Horner's rule takes $2(d+1)n$ products and $dn+1$ sums, de Casteljau's algorithm $dn(n+1)$ products and
+  $n+\frac{dn(n+1)}2$ sums; all are more for the higher degree
 :method: The kernels are run in the number type that counts; products with powers of two are counted with the others.
 :scope: one to three coordinates
 :control: the lower degree in both places
