@@ -523,7 +523,7 @@ CLAIM(printed_condition_divides_the_curvature)
 :zh: C2 条件下的 Q2
 :printed: from $Q_0-2Q_1+Q_2=P_3-2P_2+P_1$, with $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$
 :holds-by: second_derivative_of_a_cubic three_points_make_c2
-:needs: open_joint_has_no_second_point | the conditions before it, $Q_0=P_3$ the first of them | $Q_0=P_3$
+:needs: open_joint_has_no_second_point | the line itself, with $Q_0=P_3$, the first of the conditions before it | $Q_0=P_3$
 :figure: second_derivatives_alone
 
 It is true for any $Q_1$.  With $Q_1=2P_3-P_2$, that is, with equal first derivatives, it is $Q_2=P_1-4P_2+4P_3$.
