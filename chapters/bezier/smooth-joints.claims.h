@@ -63,7 +63,8 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :zh: G1 连续的控制顶点条件
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio equal_unit_tangents_fix_the_ratio
-:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition` | $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal.
+:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition`, and the word condition (条件) |
+  $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal; curves that meet have equal unit tangents if and only if there is an $a$ with which the condition holds.
 :needs: equal_derivatives_across_a_gap | the condition before it, $P_3=Q_0$ | the curves meet: in the example the condition holds with $a=1$, and $P_3\ne Q_0$
 :needs: negative_ratio_of_edges_turns_back | the condition by derivatives, `slides-ch4:4-joint-g1`: $a>0$ | $a>0$
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$ and $Q_0\ne Q_1$: with two edges of length 0 the condition does not suffice
