@@ -625,7 +625,7 @@ The text at hand does not say what $M$ is called; the heading above it is about 
 :::{statement} slides-ch4:4-partition
 :title: The functions are not negative and their sum is 1
 :zh: 基函数的非负性与规范性
-:printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le t\le1$
+:printed: $0\le B_{i,n}(t)\le1$, $\sum_{i=0}^nB_{i,n}(t)=((1-t)+t)^n\equiv1$, $0\le i\le n$, $0\le t\le1$
 :holds-by: bernstein_recurrence recurrence_keeps_sum_sign_ends_and_symmetry bernstein_sum_of_powers_is_a_power
 :confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
 :needs: function_is_negative_outside_the_interval | the line itself and the definition of the curve, $0\le t\le1$ | $0\le t\le1$;
@@ -633,6 +633,7 @@ The text at hand does not say what $M$ is called; the heading above it is about 
 :figure: bernstein_basis
 
 The middle of the second chain is $(1-t+tZ)^n$ with $Z=1$.  That a function is at most 1 follows from the rest as well: the sum is 1, and no function is negative.
+In the text at hand one $n$ is lost, the upper end of $i$ or of the sum.
 :::
 */
 

@@ -63,11 +63,12 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :zh: G1 连续的控制顶点条件
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio equal_unit_tangents_fix_the_ratio
-:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition` | $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal.
+:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition`, and the word condition (条件) |
+  $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal; curves that meet have equal unit tangents if and only if there is an $a$ with which the condition holds.
 :needs: equal_derivatives_across_a_gap | the condition before it, $P_3=Q_0$ | the curves meet: in the example the condition holds with $a=1$, and $P_3\ne Q_0$
 :needs: negative_ratio_of_edges_turns_back | the condition by derivatives, `slides-ch4:4-joint-g1`: $a>0$ | $a>0$
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$ and $Q_0\ne Q_1$: with two edges of length 0 the condition does not suffice
-:hypothesis: straight_joint_with_a_zero_edge | $P_2\ne P_3$ and $Q_0\ne Q_1$: with one edge of length 0 the condition is not necessary
+:hypothesis: straight_joint_with_a_zero_edge | $P_2\ne P_3$ and $Q_0\ne Q_1$: with one edge of length 0, whichever it is, the condition is not necessary
 :figure: corner_without_edges
 :degree: 3
 :::
@@ -77,6 +78,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :zh: 连接点为 P2Q1 的定比分点
 :printed: from $Q_1-Q_0=a(P_3-P_2)$: $Q_0=P_3=\frac{Q_1+aP_2}{1+a}$
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio
+:needs: equal_derivatives_across_a_gap | the condition before it, $P_3=Q_0$ | the curves meet: in the example the condition holds with $a=1$, and $Q_0=P_3$, the first part of what follows, is false
 :needs: ratio_minus_one_has_no_quotient | the condition by derivatives, `slides-ch4:4-joint-g1`: $a>0$ | $a>0$; of all other ratios $a=-1$ alone has no quotient
 :figure: joint_of_cubics
 :degree: 3
@@ -188,33 +190,48 @@ CLAIM(zero_edges_hide_a_corner)
 :title: A straight line with one zero edge at the joint has no ratio of the edges
 :zh: 一侧为零边的直线连接无比值
 :kind: counterexample
-:data: P = (-3,0) (-2,0) (-1,0) (0,0); Q = (0,0) (0,0) (1,0) (3,0)
-:instead: Q = (0,0) (1,0) (1,0) (3,0)
-:result: a = 0
-:given: two cubics with the polygons $P$ and $Q$, all of whose points lie on one axis; $Q_0=P_3$, and the first edge of $Q$ has length 0
-:then: both are parts of one straight line, run through in one direction, so by arc length $G^k$ for every $k$; but
-  $Q_1-Q_0=a(P_3-P_2)$ only for $a=0$, and for no positive $a$
-:method: All second coordinates are 0, the first coordinates of the points do not decrease, $Q_0=P_3$, and each polygon has two different
-  ends.  On the axis $a$ is the quotient of the first coordinates of the two edges; it should be positive.
-:control: $Q_1$ is moved to $Q_2$
+:data: P = (-3,0) (-2,0) (-1,0) (0,0); Q = (0,0) (0,0) (1,0) (3,0); R = (-3,0) (-1,0) (0,0) (0,0); S = (0,0) (1,0) (2,0) (3,0)
+:instead: Q = (0,0) (1,0) (1,0) (3,0); R = (-3,0) (-1,0) (-1,0) (0,0)
+:result: a = 0; R_3 - R_2 = (0,0); S_1 - S_0 = (1,0)
+:given: two cubics with the polygons $P$ and $Q$, and two others, with $R$ and $S$, in the places of $P$ and $Q$; all points lie on one axis; $Q_0=P_3$, and the first edge of
+  $Q$ has length 0; $S_0=R_3$, and the last edge of $R$ has length 0
+:then: the two of each pair are parts of one straight line, run through in one direction, so by arc length $G^k$ for every $k$; but
+  $Q_1-Q_0=a(P_3-P_2)$ only for $a=0$, and $S_1-S_0=a(R_3-R_2)$ for no $a$, so neither for a positive $a$
+:method: All second coordinates are 0, the first coordinates of the points do not decrease, $Q_0=P_3$, $S_0=R_3$, and each polygon has two different
+  ends.  There is a positive $a$ where the two edges at the joint point in one direction and neither is 0; that one of the two joints has it is refuted.
+:control: $Q_1$ is moved to $Q_2$, and $R_2$ to $R_1$
 :::
 */
-CLAIM(straight_joint_with_a_zero_edge)
+/* Whether all points lie on the axis, in one order, and the curves meet. */
+static int in_one_direction(const num P[], const num Q[])
 {
-    num P[4 * dim], Q[4 * dim];
-    given_points(T, "P", 4, dim, P);
-    given_points(T, "Q", 4, dim, Q);
     int straight = equal_q(Q[0], P[6]) && sign_q(sub(P[6], P[0])) > 0 && sign_q(sub(Q[6], Q[0])) > 0;
     for (int i = 0; i <= 3; i++) {
         straight = straight && is_zero_q(P[2 * i + 1]) && is_zero_q(Q[2 * i + 1]);
         if (i < 3)
             straight = straight && sign_q(sub(P[2 * i + 2], P[2 * i])) >= 0 && sign_q(sub(Q[2 * i + 2], Q[2 * i])) >= 0;
     }
-    num a = div(sub(Q[2], Q[0]), sub(P[6], P[4]));
-    found(T, "a", a);
-    about(T, "the joined curves being one straight line, whether a is positive");
-    agree(T, straight ? sign_q(a) > 0 : fault(T, 0, 1)); /* otherwise neither shows anything */
+    return straight;
 }
+
+CLAIM(straight_joint_with_a_zero_edge)
+{
+    num P[4 * dim], Q[4 * dim], R[4 * dim], S[4 * dim];
+    given_points(T, "P", 4, dim, P);
+    given_points(T, "Q", 4, dim, Q);
+    given_points(T, "R", 4, dim, R);
+    given_points(T, "S", 4, dim, S);
+    num a = div(sub(Q[2], Q[0]), sub(P[6], P[4]));
+    num edges[2 * dim] = {sub(R[6], R[4]), sub(R[7], R[5]), sub(S[2], S[0]), sub(S[3], S[1])};
+    found(T, "a", a);
+    found_points(T, "R_3 - R_2", 1, dim, edges);
+    found_points(T, "S_1 - S_0", 1, dim, edges + dim);
+    int straight = in_one_direction(P, Q) && in_one_direction(R, S);
+    int has_ratio = sign_q(a) > 0 || sign_q(mul(edges[0], edges[dim])) > 0;
+    about(T, "the joined curves being straight lines, whether a is positive for one of them");
+    agree(T, straight ? has_ratio : fault(T, 0, 1)); /* otherwise nothing is shown */
+}
+
 /*
 :::{claim} negative_ratio_of_edges_turns_back
 :title: With a negative ratio of the edges the curve goes back
@@ -332,6 +349,9 @@ $C^2$, and the curvature jumps as well, unless it is 0.
 :confirmed-by: printed_condition_divides_the_curvature
 :needs: equal_derivatives_across_a_gap | the first of the conditions, $P_3=Q_0$ | $P_3=Q_0$
 :hypothesis: equal_second_derivatives_with_unequal_first | $P'(1)=Q'(0)$: the conditions before it ask only for $Q'(0)=aP'(1)$ with some $a>0$
+:reading: second_derivative_of_a_cubic | it is required, whatever else is: at a joint that is $C^2$ the second derivatives are equal by definition, and that is the condition on the points
+:reading: second_derivative_of_a_cubic | it is the condition for equal second derivatives alone, whether or not the first ones are equal
+:reading: equal_second_derivatives_with_unequal_first | it is enough for $C^2$ where the curves meet with $Q'(0)=aP'(1)$, $a>0$
 :meant: the word condition (条件), and the definition `slides-ch4:1-ck-definition` | $C^2$ says that the values and the first two derivatives are equal; the joint is $C^2$ if and
   only if the condition holds.
 :figure: second_derivatives_alone
@@ -504,7 +524,7 @@ CLAIM(printed_condition_divides_the_curvature)
 :zh: C2 条件下的 Q2
 :printed: from $Q_0-2Q_1+Q_2=P_3-2P_2+P_1$, with $Q_0=P_3$: $Q_2=P_1+2(Q_1-P_2)$
 :holds-by: second_derivative_of_a_cubic three_points_make_c2
-:needs: open_joint_has_no_second_point | the conditions before it, $Q_0=P_3$ the first of them | $Q_0=P_3$
+:needs: open_joint_has_no_second_point | the line itself, with $Q_0=P_3$, the first of the conditions before it | $Q_0=P_3$
 :figure: second_derivatives_alone
 
 It is true for any $Q_1$.  With $Q_1=2P_3-P_2$, that is, with equal first derivatives, it is $Q_2=P_1-4P_2+4P_3$.

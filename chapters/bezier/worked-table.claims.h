@@ -462,7 +462,7 @@ CLAIM(table_misses_the_third_x) { wrong_number(T, "x"); }
 :figure: worked_table
 
 The value is 2.365, exactly between 2.36 and 2.37.  It becomes 2.36 when it is rounded to the even digit; cut off it becomes 2.36, too, but the functions of the table are
-rounded and not cut off.  The sum with the rounded factors is 2.367.
+rounded and not cut off.  The sum with the rounded factors, which for $x(0.65)$ is the printed number, is 2.367 here: it becomes 2.36 only when it is cut off.
 :::
 
 One number is right or not by the rule of rounding that is taken, because the exact value lies exactly between two candidates.
