@@ -179,12 +179,13 @@ and the positive root.
 :printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
 :holds-by: third_matrix_by_the_radius
 :confirmed-by: distance_of_the_first_two_points
-:needs: negative_cosine_is_not_the_root | the words before it, that the two points are to be one pixel apart; for an obtuse angle they are more than $\sqrt2$ pixels apart |
+:needs: negative_cosine_is_not_the_root | the words before it, that the two points are to be one pixel apart: with $y_1=1$ their distance is not exactly 1, but at most $\sqrt2$ for these angles, and more for an
+    obtuse one |
     $0<\theta\le\frac\pi2$
 :figure: step_of_the_third_way
 
-With $r\sin\theta=1$ the square of the distance of the two points is $1+\tan^2\frac\theta2$, by `distance_of_the_first_two_points`; for an obtuse angle, whose
-half has a tangent greater than 1, that is more than 2.
+With $r\sin\theta=1$ the square of the distance of the two points is $1+\tan^2\frac\theta2$, by `distance_of_the_first_two_points`; half of an obtuse angle has
+a tangent greater than 1, so that this is more than 2, and otherwise it is at most 2.
 :::
 
 :::{statement} hu-1987:1-3-third-matrix
