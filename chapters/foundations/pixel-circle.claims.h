@@ -42,8 +42,9 @@ radii that a screen has the two are nearly the same; for the smallest ones they 
 :corrected-by: distance_of_the_first_two_points
 :confirmed-by: distance_of_the_third_way_tends_to_a_pixel rotated_points_are_equally_spaced
 :meant: the words, the distance of the two points (二点之间的距离), with nothing added | The distance along a straight line.
-:reading: unit_height_is_not_unit_distance | the distance along a straight line
-:reading: larger_difference_is_the_height | the distance in the rows and columns of a screen, the larger of the two differences of the coordinates
+:reading: unit_height_is_not_unit_distance | with $y_1=1$ the two points are one pixel apart along a straight line
+:reading: larger_difference_is_the_height | with $y_1=1$ the two points are one pixel apart in the rows and columns of a screen, where the distance is the larger of the two
+  differences of the coordinates
 :figure: step_of_the_third_way
 
 For $0<\theta<\frac\pi2$ and $r\sin\theta=1$ the square of the distance is between 1 and $1+\frac1{r^2}$: `distance_of_the_third_way_tends_to_a_pixel`.

@@ -23,9 +23,9 @@ step, which makes them as large as the coefficients, and begins the table with t
 :holds-by: third_difference_loses_three_bytes
 :meant: the next sentence, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, which are then
   of the size of the coefficients | Against the coefficients of the curve these differences are small, the third as well.
-:reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0
-:reading: third_difference_loses_three_bytes | from the third on, against the coefficients: $6A/2^{24}$
-:reading: third_difference_exceeds_the_first | from the third on, against the differences before it
+:reading: third_difference_loses_three_bytes | the differences of order 4 and more are small: they are 0
+:reading: third_difference_loses_three_bytes | the differences from the third on are small against the coefficients: $\Delta^3P_0=6A/2^{24}$, and the further ones are 0
+:reading: third_difference_exceeds_the_first | the differences from the third on are small against those before the third
 :figure: forward_differences
 :::
 
