@@ -141,8 +141,8 @@ first at which it changes its side within the plane.  Lines have to be excepted,
 :corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
 :meant: the words, curves given by polynomials, with nothing added | All polynomial curves that are in use.
 :reading: quadratic_curve_is_in_use | three is the lowest degree of all polynomial curves that are in use
-:reading: quadratics_are_plane_and_turn_to_one_side | three is the lowest degree of those that leave every plane, and of the plane ones that are no lines and
-  have an inflection
+:reading: quadratics_are_plane_and_turn_to_one_side | three is the lowest degree of polynomial curves that leave every plane, and of plane ones that are no
+  lines and have an inflection
 :reading-with: cubics_leave_the_plane_and_inflect
 :figure: degrees_two_and_three
 
@@ -187,7 +187,8 @@ CLAIM(quadratic_curve_is_in_use)
 :given: any $P(t)=c_0+c_1t+c_2t^2$ in space, any $t$
 :then: $P'\times P''=2\,c_1\times c_2$ does not depend on $t$, and $(c_1\times c_2)\cdot(P(t)-c_0)=0$
 :method: The derivatives by the kernel, everything a variable.  $c_1\times c_2=0$ makes $P(t)-c_0$ a multiple of one vector, so the curve
-  is on a line.
+  is on a line; otherwise $c_1\times c_2$ is the normal of a plane that has the curve, and $P'\times P''$ is nowhere 0.
+:scope: degree at most 2
 :over: x# y# z#: coefficients
 :control: a coefficient $c_3$ added
 :::
