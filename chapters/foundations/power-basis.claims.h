@@ -147,7 +147,7 @@ first at which it changes its side within the plane.  Lines have to be excepted,
 :figure: degrees_two_and_three
 
 The table of contents of the source has a section on uniform quadratic and cubic B-spline surfaces (§ 6-2); the parameter lines of a quadratic one are curves of
-pieces of degree 2.
+pieces of degree 2.  Lines are excepted in the correction, as their curvature is 0 everywhere.
 :::
 
 :::{claim} quadratic_curve_is_in_use
