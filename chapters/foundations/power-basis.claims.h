@@ -140,11 +140,14 @@ first at which it changes its side within the plane.  Lines have to be excepted,
 :corrected: Three is the lowest degree of the polynomial curves that leave every plane, and of the plane ones that are no lines and have an inflection.
 :corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
 :meant: the words, curves given by polynomials, with nothing added | All polynomial curves that are in use.
-:reading: quadratic_curve_is_in_use | of all polynomial curves that are in use
-:reading: quadratics_are_plane_and_turn_to_one_side | of those that leave every plane, or are no lines and have an inflection: of a lower degree there are none
+:reading: quadratic_curve_is_in_use | three is the lowest degree of all polynomial curves that are in use
+:reading: quadratics_are_plane_and_turn_to_one_side | three is the lowest degree of polynomial curves that leave every plane, and of plane ones that are no
+  lines and have an inflection
+:reading-with: cubics_leave_the_plane_and_inflect
 :figure: degrees_two_and_three
 
-The table of contents of the source has a section on uniform quadratic and cubic B-spline surfaces (§ 6-2).
+The table of contents of the source has a section on uniform quadratic and cubic B-spline surfaces (§ 6-2); the parameter lines of a quadratic one are curves of
+pieces of degree 2.  Lines are excepted in the correction, as their curvature is 0 everywhere.
 :::
 
 :::{claim} quadratic_curve_is_in_use
@@ -184,7 +187,8 @@ CLAIM(quadratic_curve_is_in_use)
 :given: any $P(t)=c_0+c_1t+c_2t^2$ in space, any $t$
 :then: $P'\times P''=2\,c_1\times c_2$ does not depend on $t$, and $(c_1\times c_2)\cdot(P(t)-c_0)=0$
 :method: The derivatives by the kernel, everything a variable.  $c_1\times c_2=0$ makes $P(t)-c_0$ a multiple of one vector, so the curve
-  is on a line.
+  is on a line; otherwise $c_1\times c_2$ is the normal of a plane that has the curve, and $P'\times P''$ is nowhere 0.
+:scope: degree at most 2
 :over: x# y# z#: coefficients
 :control: a coefficient $c_3$ added
 :::
@@ -248,9 +252,9 @@ CLAIM(lines_of_lower_degree_have_curvature_zero)
 :given: a cubic in space and one in the plane, with the coefficients $S$ and $P$, and two parameters $t$ between 0 and 1
 :data: S = (0,0,0) (1,0,0) (0,1,0) (0,0,1); P = (0,-1) (1,6) (0,-12) (0,8); t = 1/3 2/3
 :instead: S = (0,0,0) (1,0,0) (0,1,1) (0,0,0); P = (0,0) (1,0) (0,1) (0,0)
-:then: the determinant $(S',S'',S''')$ is not 0; $P'\times P''$ changes its sign between the two, and $P'\ne0$ everywhere, as $x=t$
+:then: the determinant $(S',S'',S''')$ is not 0; $P'\times P''$ changes its sign between the two, and $P'\ne0$ everywhere, as $x'=1$
 :result: (S',S'',S''') = 12; P' × P''(t) = -8 8
-:method: The kernels, at the two parameters; the determinant of a cubic does not depend on $t$.
+:method: The kernels, at the two parameters; the determinant of a cubic does not depend on $t$.  That $x'=1$ is read from the coefficients of $x$.
 :control: coefficients of degree 2
 :::
 */
@@ -270,6 +274,7 @@ CLAIM(cubics_leave_the_plane_and_inflect)
     found_points(T, "P' × P''(t)", 2, 1, sides);
     agree(T, !is_zero_q(volume));
     agree(T, sign_q(sides[0]) < 0 && sign_q(sides[1]) > 0);
+    agree(T, equal_q(plane[2], from_int(1)) && is_zero_q(plane[4]) && is_zero_q(plane[6])); /* x' = 1 */
 }
 #endif
 
