@@ -267,8 +267,8 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :holds-by: end_data_determine_the_cubic
 :meant: the dot over it, by which section 1-4 writes derivatives | $\dot Q_0$ is the tangent vector at
   $t=0$.
-:reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector
-:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line of the source has it for $D$
+:reading: end_data_determine_the_cubic | $C$ is the tangent vector at $t=0$, for which $\dot Q_0$ stands
+:reading: position_is_not_the_tangent | $C$ is the position vector at $t=0$, for which $\dot Q_0$ stands, as in the next line of the source, for $D$
 :figure: ends_with_lost_letters
 :::
 
@@ -280,8 +280,8 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :class: misprint
 :corrected: D=Q_0
 :corrected-by: end_data_determine_the_cubic
-:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line of the source before
-:reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as it is called where it is given
+:reading: dotted_last_coefficient_misses_the_beginning | $D$ is the tangent vector at $t=0$, for which $\dot Q_0$ stands, as in the formula of $C$
+:reading: end_data_determine_the_cubic | $D$ is the position vector at $t=0$, for which $\dot Q_0$ stands, as where the data are given
 :meant: the sentence in which the data are given, whose first $\dot Q_0$ is called the position vector | $\dot Q_0$ is the position vector; the dot is a slip.
 :figure: ends_with_lost_letters
 :::
