@@ -165,7 +165,8 @@ CLAIM(joined_pieces_are_not_closed)
 :where: $\lambda>0$
 :then: $S(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $S(0)=P$, $S'(0)=P'$, $S''(0)=P''$
 :method: $S$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its derivatives at 0 are compared, everything a
-  variable.  A further term of $P_{\mathrm{II}}$ has the factor $\phi^3$, so $u^3$, and changes none of them.
+  variable.  A further term of $P_{\mathrm{II}}$ has the factor $\phi^3$, so $u^3$, and changes none of them.  As $\phi(0)=0$ and $\phi'(0)=\frac1\lambda>0$, $\phi$ is a
+  change of the parameter near the joint.
 :types: field
 :over: p#: points; v# w# z#: derivatives; l: λ; b: β; u
 :control: $\phi(u)=\frac u\lambda$
