@@ -674,11 +674,12 @@ data with their blending functions.
 :::{statement} slides-ch4:2-worked-curve
 :title: The worked curve
 :zh: 三次 Hermite 曲线算例
-:printed: $P_0=(1,1)$, $P_1=(4,2)$, $P_0'=(1,1)$, $P_1'=(1,-1)$: $x(u)=-4u^3+6u^2+u+1$, $y(u)=-2u^3+2u^2+u+1$
+:printed: $P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}1&1\\4&2\\1&1\\1&-1\end{bmatrix}=[u^3\;u^2\;u\;1]\begin{bmatrix}-4&-2\\6&2\\1&1\\1&1\end{bmatrix}$
+  for $P_0=(1,1)$, $P_1=(4,2)$, $P_0'=(1,1)$, $P_1'=(1,-1)$: $x(u)=-4u^3+6u^2+u+1$, $y(u)=-2u^3+2u^2+u+1$
 :holds-by: worked_hermite_curve
 :figure: worked_hermite_curve
 
-In the text at hand the coefficients have no signs, and the tangents no primes; of all choices of signs of the coefficients the one shown is the only one that has the
+In the text at hand the matrices and coefficients have no signs, and the tangents no primes; of all choices of signs of the coefficients the one shown is the only one that has the
 data.
 :::
 
@@ -690,7 +691,7 @@ data.
 :instead: y, y' = 1 2 1 1
 :given: the data of the example, coordinate by coordinate: the values at the two ends and then the derivatives there; the coefficients that are printed,
   that of $u^3$ first, with all $2^8$ choices of their signs
-:then: exactly one choice has the data, the printed one, and it is what `hermite_cubic` gives
+:then: exactly one choice has the data, the printed one, and it is what `hermite_cubic` and the product of the $4\times4$ matrix with the data give
 :method: Values and derivatives at 0 and 1, which determine a cubic because their determinant is not 0; all choices in integers as
   well; the kernel at as many parameters as determine a cubic.
 :control: the second tangent goes up
@@ -708,6 +709,12 @@ CLAIM(worked_hermite_curve)
         for (int k = 0; k < 4; k++)
             data[k] = (int)to_double_q(four[k]), size[k] = (int)to_double_q(c[k]);
         only_these_have_the_data(T, size, data);
+        for (int i = 0; i < 4; i++) {
+            num sum = from_int(0);
+            for (int k = 0; k < 4; k++)
+                sum = add(sum, mul(from_int(G(printed_matrix)(i, k)), four[k]));
+            same(T, sum, c[i]);
+        }
         for (int signs = 0; signs < 1 << 4; signs++) {
             int chosen[4];
             for (int k = 0; k < 4; k++)
