@@ -40,9 +40,7 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | the blending functions have
   the printed values at the ends: without them the borders are lost
 :needs: blendings_without_sum_one_move_the_patch | the conditions printed with the functions | the blending functions have the
-  sum 1: with it the patch $P_1+P_2-P_3$ moves with its frame of four curves, without it this need not be so
-:needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | the blending functions have the
-  sum 1: with it the curves of $P_1$ and $P_2$ between opposite borders stay on the line of two points, without it they need not
+  sum 1: with it the patch of four border curves moves with them, without it this need not be so
 :figure: boolean_sum
 
 The end values keep the borders, the sum lets the surface move with its frame; that the functions are continuous is not used.

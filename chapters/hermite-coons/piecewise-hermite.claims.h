@@ -377,8 +377,8 @@ In the text at hand the formula has no signs and no primes; with those shown her
 :zh: 单段端点切向量的缩放
 :printed: where $P_i=P(t_i)=f(t_i)$, $P_{i+1}=P(t_{i+1})=f(t_{i+1})$, $P_i'=f'(t_i)(t_{i+1}-t_i)$, $P_{i+1}'=f'(t_{i+1})(t_{i+1}-t_i)$
 :holds-by: unit_blending_functions
-:needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: $u$
-  is a quotient by $t_{i+1}-t_i$
+:needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: the parameter
+  $u=\frac{t-t_i}{t_{i+1}-t_i}$ of the unit interval is a quotient by $t_{i+1}-t_i$
 :meant: the word "where" (其中) below the formula of the piece $P_i(u)$ | The vectors $P_i'$ and $P_{i+1}'$ are those of the one piece over $[t_i,t_{i+1}]$.
 :reading: unit_blending_functions | the vectors of one piece
 :reading: one_scaled_tangent_for_two_pieces_makes_a_jump | one vector $P_i'$ for both pieces that meet at $t_i$
