@@ -21,7 +21,7 @@ altogether.  It is short, and has to be learnt: $0w_u$ is a derivative across th
 :title: Borders, tangents, derivatives across them and twists
 :zh: 边界线、切向量、跨界切向量与扭曲向量
 :definition: yes
-:printed: $P(u,w)$, $0\le u,w\le1$: the borders $u0,u1,0w,1w$; the derivatives $uw_u$, $uw_w$, $uw_{uu}$, $uw_{uw}$, $uw_{ww}$ of the
+:printed: $P(u,w)$, written $uw$, $0\le u,w\le1$: the borders $u0,u1,0w,1w$; the derivatives $uw_u$, $uw_w$, $uw_{uu}$, $uw_{uw}$, $uw_{ww}$ of the
   surface; along the border $u0$ the tangent $u0_u$, the derivative across it $u0_w$, and $u0_{uu}$, $u0_{ww}$; at the corners the points
   $00,01,10,11$ and the twists $00_{uw},01_{uw},10_{uw},11_{uw}$
 :checked-by: tensor_kernel_is_the_matrix_product
@@ -370,7 +370,7 @@ The other condition printed with the functions, $f_0+f_1=1$, is not needed for t
   of the curves at the corners
 :then: in the place $(k,l)$ of $M$, a point or with $m=4$ a tangent or a twist of a corner, the patch has $A_k+B_l-M_{kl}$ with the data $A_k$ of $0w,1w,0w_u,1w_u$
   and $B_l$ of $u0,u1,u0_w,u1_w$; if both are one vector $c$ it is $2c-M_{kl}$, which is $c$, and $M_{kl}$, exactly where $M_{kl}=c$
-:method: The kernel with rows of the unit matrix for both parameters, for each entry; everything a variable.
+:method: The kernel with rows of the unit matrix for both parameters, for each entry; everything a variable, each coordinate by itself.
 :over: m#: corners; x# y#: border curves
 :control: the matrix of the corners transposed
 :::
@@ -399,7 +399,7 @@ CLAIM(corner_of_the_patch_is_two_ends_less_an_entry)
 :zh: Coons 曲面的分块矩阵形式
 :given: any values of the blending functions, any data across, along and at the corners, $m=2$ and $m=4$
 :then: `coons_patch` is $-[-1\;a]\begin{bmatrix}0&B\\A&M\end{bmatrix}\begin{bmatrix}-1\\b\end{bmatrix}$, which is the printed sum
-:method: The bordered matrix of $m+1$ rows is formed and multiplied out; everything variable.
+:method: The bordered matrix of $m+1$ rows is formed and multiplied out; everything variable, each coordinate by itself.
 :defines: coons_patch
 :over: a# b#: blending functions; x# y#: border data; m#: corner data
 :control: the matrix of the corners transposed
@@ -626,7 +626,7 @@ In the text at hand the sums of products have no signs; with those shown here th
   values and derivatives of the unit matrix
 :then: on all four borders the value of the patch and its derivative across are the given ones
 :method: At $u=0$ and $u=1$ the values and the derivatives of the four functions are rows of the unit matrix, and what
-  runs across has its values and derivatives in $M$; at $w=0$ and $w=1$ the same, run as well.  No other property is used.
+  runs across has its values and derivatives in $M$; at $w=0$ and $w=1$ the same, run as well.  No other property is used.  Each coordinate is computed by itself.
 :over: m#: corner data; x#: border data; f#: blending functions
 :control: one twist differs between the curve and $M$
 :::

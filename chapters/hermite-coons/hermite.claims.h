@@ -548,7 +548,7 @@ shown here are true.  For $\varphi$ it has the letter $f$, with a mark that is l
 :harmless: $t_0<t_1$ | the identities are those of two different nodes, in any order
 :then: $u=\frac{t-t_0}{t_1-t_0}$, which runs from 0 to 1 while $t$ runs from $t_0$ to $t_1$; the printed functions of $t$ are those of $u$ in all three forms, in factors, in powers and as the columns of the $4\times4$ matrix, and the sum with the derivatives times $t_1-t_0$ is the
   interpolating cubic; as a function of $u$ it has at $u=0$ and $u=1$ the values $f(t_0)$, $f(t_1)$ and the derivatives $f'(t_0)(t_1-t_0)$, $f'(t_1)(t_1-t_0)$
-:method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
+:method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.  Of points and vectors each coordinate is computed by itself.
 :over: t# h#: different nodes; f#: data
 :control: the derivatives not multiplied by the length
 :::

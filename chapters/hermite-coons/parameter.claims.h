@@ -523,7 +523,7 @@ CLAIM(another_coordinate_changes_no_other)
 :zh: 规格化参数使几何分量有界
 :printed: With $t\in[0,1]$ the coordinates are bounded, and no further parameters are needed to mark the border.
 :holds-by: one_factor_and_one_term_keep_a_bound
-:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
+:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends range_of_parameters_marks_a_part
 :argued: a second parameter | The coefficients of a polynomial of two parameters are polynomials of the second one, and have their bounds by the same claim: so the sum of the absolute values of
   all coefficients is a bound for $0\le u,w\le1$.
 :hypothesis: quotient_with_a_pole_is_unbounded | the functions are polynomials: quotients of polynomials may have a pole in $[0,1]$

@@ -55,7 +55,8 @@ In the text at hand the formulas have no signs and no primes; with those shown h
 :given: nodes $t_0<\dots<t_n$, any data, any $t$
 :then: on each of the $n$ intervals the sum of the $2n+2$ terms is what `hermite_cubic` gives for four data; at each node its value
   and derivative are the data, from both sides
-:method: The functions $a_{i,j}$ as printed, with the lengths, interval by interval, all $2n+2$ summed as polynomials; everything variable.
+:method: The functions $a_{i,j}$ as printed, with the lengths, interval by interval, all $2n+2$ summed as polynomials; everything variable.  Of points and
+  vectors each coordinate is computed by itself.
 :degrees: intervals = 1..4 sampled 8
 :over: t# h#: increasing nodes; f# d#: data; p: t
 :control: in $a_{0,1}$ the function of the other end
