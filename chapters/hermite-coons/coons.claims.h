@@ -596,7 +596,9 @@ in more than the corners: from each of two borders the corner inherits a mixed d
 :zh: 具有指定跨界切向量的曲面片
 :printed: $P=q(u)\,[0w\;1w\;0w_u\;1w_u]^T+[u0\;u1\;u0_w\;u1_w]\,q(w)^T-q(u)\,M\,q(w)^T$,
   $q=[q_{00}\;q_{01}\;q_{10}\;q_{11}]$, $M=\begin{bmatrix}00&01&00_w&01_w\\10&11&10_w&11_w\\00_u&01_u&00_{uw}&01_{uw}\\10_u&11_u&10_{uw}&11_{uw}\end{bmatrix}$, has the four borders and the
-  four derivatives across; for $u=0$ the right side is $0w$, and its derivative with respect to $u$ is $0w_u$
+  four derivatives across; for $u=0$ the right side is
+  $0w+(00\,q_{00}(w)+01\,q_{01}(w)+00_wq_{10}(w)+01_wq_{11}(w))-(00\,q_{00}(w)+01\,q_{01}(w)+00_wq_{10}(w)+01_wq_{11}(w))=0w$, and its derivative with respect to $u$ is
+  $[0\;0\;1\;0]\,[0w\;1w\;0w_u\;1w_u]^T+[00_u\;01_u\;00_{uw}\;01_{uw}]\,q(w)^T-[0\;0\;1\;0]\,M\,q(w)^T=0w_u$
 :holds-by: coons_kernel_is_the_bordered_product borders_and_cross_derivatives_are_kept unit_functions_are_dual_to_the_data
 :hypothesis: two_points_cannot_both_be_kept | the curves meet at the corners
 :hypothesis: two_tangents_cannot_both_be_kept | at the corners the derivatives across the borders are the tangents of the other borders

@@ -592,9 +592,12 @@ CLAIM(unit_blending_functions)
 :::{statement} slides-ch4:2-matrix
 :title: The cubic as a product of matrices
 :zh: 三次 Hermite 曲线的矩阵形式
-:printed: P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}\varphi(0)\\\varphi(1)\\\varphi'(0)\\\varphi'(1)\end{bmatrix}
+:printed: $P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}\varphi(0)\\\varphi(1)\\\varphi'(0)\\\varphi'(1)\end{bmatrix}$, which is
+  the row $[q_{00}(u)\;q_{01}(u)\;q_{10}(u)\;q_{11}(u)]=[2u^3-3u^2+1,\;-2u^3+3u^2,\;u^3-2u^2+u,\;u^3-u^2]$ times the same column
 :holds-by: unit_blending_functions
 :confirmed-by: one_choice_of_signs_in_the_matrix
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: $u=\frac{t-t_0}{t_1-t_0}$ divides by $t_1-t_0$, and at equal ends none or infinitely many cubics have the data
+:meant: the arguments 0 and 1 in the place of $t_0$ and $t_1$ | $\varphi$ is the polynomial as a function of $u$.
 :figure: hermite_blending_functions
 
 In the text at hand the column has the letter $f$, with a mark that is lost, for $\varphi$, and the matrix has no signs; of all choices of them the one shown is the only true one: `one_choice_of_signs_in_the_matrix`.
