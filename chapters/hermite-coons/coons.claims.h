@@ -43,7 +43,7 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
   sum 1: with it the patch of four border curves moves with them, without it this need not be so
 :figure: boolean_sum
 
-The end values keep the borders, the sum lets the surface move with its frame; that the functions are continuous is not used.
+The end values keep the borders, the sum lets the surface move with its four curves; that the functions are continuous is not used.
 :::
 */
 
@@ -249,7 +249,7 @@ CLAIM(linear_interpolation_runs_along_straight_lines)
 /*
 
 :::{statement} slides-ch4:3-sum-of-ruled
-:title: The sum of the ruled surfaces is moved from the frame by an interpolation of the corners
+:title: The sum of the ruled surfaces is moved from the four borders by an interpolation of the corners
 :zh: 叠加曲面 Ps 的位移
 :printed: For any point of $P_s=P_1+P_2$ one part of the displacement is due to the linear interpolation and one to the border curves; to remove
   the former a new surface $P_3$ is built.
@@ -348,7 +348,7 @@ only that they meet at the corners; the condition $f_0+f_1=1$ is needed for some
 :figure: boolean_sum
 
 In the text at hand the sums of products have no signs; with those shown here the patch has the borders.
-The other condition printed with the functions, $f_0+f_1=1$, is not needed for the borders.  It makes the patch move with its frame.
+The other condition printed with the functions, $f_0+f_1=1$, is not needed for the borders.  It makes the patch move with its four curves.
 :::
 
 :::{statement} slides-ch4:3-corner-points
