@@ -357,8 +357,8 @@ The same step keeps a bound, so that over the unit interval a polynomial is neve
 :harmless: $-M\le q\le M$ and $-C\le c\le C$ | $M$ is the bound of the polynomial of one degree less, $C$ the absolute value of $c$
 :harmless: $0\le t\le1$ | the interval of the statement
 :then: $-(M+C)\le tq+c\le M+C$
-:method: $M-q$, $M+q$, $C-c$, $C+c$ are variables, which are positive, and $M+C-(tq+c)=(1-t)M+t(M-q)+(C-c)$, likewise with the other sign; signs of coefficients for
-  $t=\frac s{1+s}$, $s>0$, and once more at $t=0$ and $t=1$.  A constant
+:method: $M-q$, $M+q$, $C-c$, $C+c$ are each a positive variable or 0, in every combination, and $M+C-(tq+c)=(1-t)M+t(M-q)+(C-c)$, likewise with the other sign; signs of
+  coefficients for $t=\frac s{1+s}$, $s>0$, and once more at $t=0$ and $t=1$.  A constant
   $c_n$ has the bound $|c_n|$, and a polynomial is built from it by $p\mapsto tp+c_k$: so by induction $|p(t)|\le\sum_k|c_k|$ for every degree.
 :degrees: all
 :over: a b d e: -; s: -
@@ -368,17 +368,24 @@ The same step keeps a bound, so that over the unit interval a polynomial is neve
 */
 CLAIM(one_factor_and_one_term_keep_a_bound)
 {
-    num a = positive(T, "a", 0), b = positive(T, "b", 0), d = positive(T, "d", 0), e = positive(T, "e", 0);
-    num two = from_int(2), M = div(add(a, b), two), q = div(sub(b, a), two); /* M - q = a, M + q = b */
-    num C = div(add(d, e), two), c = div(sub(e, d), two);                    /* C - c = d, C + c = e */
-    num t[3] = {inside(T, "s"), from_int(0), from_int(1)}, bound = add(M, C);
-    for (int k = 0; k < 3; k++) {
+    static const char *const name[] = {"a", "b", "d", "e"};
+    num room[4], two = from_int(2), t[3] = {inside(T, "s"), from_int(0), from_int(1)};
+    for (int i = 0; i < 4; i++)
+        room[i] = positive(T, name[i], 0);
+    for (int run = 0; run < 16 * 3; run++) { /* which of the four are 0, and which t */
+        int k = run % 3;
+        num r[4];
+        for (int i = 0; i < 4; i++)
+            r[i] = run / 3 >> i & 1 ? from_int(0) : room[i];
+        num a = r[0], b = r[1], d = r[2], e = r[3];
+        num M = div(add(a, b), two), q = div(sub(b, a), two);                    /* M - q = a, M + q = b */
+        num C = div(add(d, e), two), c = div(sub(e, d), two), bound = add(M, C); /* C - c = d, C + c = e */
         num value = add(mul(t[k], q), c), kept = mul(sub(from_int(1), fault(T, t[k], from_int(1))), M);
         for (int sign = -1; sign <= 1; sign += 2) {
-            num room = add(bound, mul(from_int(sign), value));
+            num left = add(bound, mul(from_int(sign), value));
             about(T, sign < 0 ? "below the bound" : "above the bound with the other sign");
-            nonnegative(T, room);
-            same(T, room, add(kept, add(mul(t[k], sign < 0 ? a : b), sign < 0 ? d : e)));
+            nonnegative(T, left);
+            same(T, left, add(kept, add(mul(t[k], sign < 0 ? a : b), sign < 0 ? d : e)));
         }
     }
 }
