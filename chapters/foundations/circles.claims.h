@@ -43,7 +43,8 @@ sections of their own.
 :given: any $r$, and two angles by the directions $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ of their halves, so that
   $\cos\theta=\frac{a_0^2-a_1^2}{a_0^2+a_1^2}$ and $\sin\theta=\frac{2a_0a_1}{a_0^2+a_1^2}$, likewise those of $\Delta\theta$
 :harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
-:then: $r(\cos\theta,\sin\theta)$ times the printed matrix of $\Delta\theta$ is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
+:then: for $(x_n,y_n)=r(\cos\theta,\sin\theta)$ the row $(x_n\cos\Delta\theta-y_n\sin\Delta\theta,\,x_n\sin\Delta\theta+y_n\cos\Delta\theta)$, the product of $[x_n\;y_n]$ and the
+  matrix (1-3-2), is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
 :method: The sum of the angles is formed on the other side, from the direction $(a_0b_0-a_1b_1,\,a_0b_1+a_1b_0)$ of half of it; the five numbers
   are variables.
 :over: a# b#: angles; r: radius
@@ -253,7 +254,7 @@ CLAIM(rational_step_has_no_angle)
 :given: the matrix of (1-3-2), any point $(x,y)$ and any $e$; and the rotation by $\Delta\theta=2\arctan a$, so that
   $\frac{d\Delta\theta}{da}=\frac2{1+a^2}$
 :then: with 1 and $e$ in the place of cosine and sine the row $(x,y)$ times the matrix is $(x-ey,\,ex+y)$, the printed step with $\Delta\theta=e$; at $a=0$ the
-  rotation matrix is 1 and its derivative with respect to $\Delta\theta$ is that of the step, $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
+  rotation matrix is the unit matrix and its derivative with respect to $\Delta\theta$ is that of the step, $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
 :method: The product with everything a variable; the matrix as a rational function of $a$, differentiated in the field; chain rule.
 :scope: Δθ → 0
 :over: x y e a: -
@@ -332,7 +333,7 @@ treated alike in its four quadrants.
 :printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or
   arcs are generated at high speed.
 :holds-by: exact_steps_need_m_more_bits_each
-:meant: the words by shifts (通过移位运算), and those on the circle that follow, which is not closed | High speed is: with shifts in the place of products.
+:meant: the words by shifts (通过移位运算), and the next sentence, in which the circle that is produced is not closed | High speed is: with shifts in the place of products.
   The circles or arcs are the points of (1-3-4), as the source calls them.
 :hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out: in $n$ steps the last bit of the
   point that is not 0 goes down by $nm$ places.

@@ -211,7 +211,8 @@ where this triangle shrinks to a line.  In the printed example the origin is $P_
 :figure: two_cubes_and_their_image
 
 The conclusion is true for the printed points with the printed functions.  It does not follow from the four values: not for these functions with
-other points, and not for these points with other functions.
+other points, and not for these points with other functions.  With these points every $P(t)$ is on the line through both because $P_0$ is
+the origin, so that $P(t)=A_1(t)P_1$; the four values are not the reason.
 :::
 */
 
@@ -493,8 +494,8 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 :confirmed-by: image_of_the_example_is_not_the_translated_curve translation_adds_the_sum_of_the_functions matrices_pass_to_the_points
 :figure: two_cubes_and_their_image
 
-For the source's own points and translation the curve is a segment in the one system and, in the other, an arc that turns everywhere: the shape
-is another.
+For the source's own points and translation the curve is a segment in the one system and, in the other, an arc of which no part is straight: the
+shape is another.
 :::
 
 :::{claim} image_of_the_example_is_not_the_translated_curve
@@ -627,8 +628,9 @@ The first step has $P^*(t)=P(t)\,T$, the second that the shape is kept: no lengt
 :given: the rotation $T$ of the quaternion $h$ with the four numbers $h_0,h_1,h_2,h_3$, not all 0, $v\mapsto hvh^{-1}$; any two vectors $v$, $w$ of space, from point to point
 :then: $(vT)\cdot(wT)=v\cdot w$ and $(vT)\times(wT)=(v\times w)\,T$, hence $\bigl((uT)\times(vT)\bigr)\cdot(wT)=(u\times v)\cdot w$ too; and with $a=(h_1,h_2,h_3)$ there is $aT=a$, and for $p=a\times v$,
   any vector perpendicular to $a$, $p\cdot(pT)=\frac{h_0^2-|a|^2}{|h|^2}|p|^2$ and $p\times(pT)=\frac{2h_0}{|h|^2}|p|^2\,a$
-:method: Identities in the four numbers and the six coordinates; the third follows by the first for $u\times v$ and $w$.  The last three say that $T$ is the rotation
-  about the axis $a$ by the angle whose half has the tangent $\frac{|a|}{h_0}$; any axis and any angle can be chosen so, and every rotation about the origin is of this kind.
+:method: Identities in the four numbers and the six coordinates; the third follows by the first for $u\times v$ and $w$.  The last three say that $T$ is, for
+  $a\ne0$, the rotation about the axis $a$ by the angle with the cosine $\frac{h_0^2-|a|^2}{|h|^2}$ and the sine $\frac{2h_0|a|}{|h|^2}$; any axis and any angle can be chosen
+  so, and every rotation about the origin is of this kind.
 :over: h#: rotations; v# w#: points
 :control: $T$ without the divisor $|h|^2$
 :::

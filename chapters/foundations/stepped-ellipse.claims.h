@@ -74,7 +74,8 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
 :::{claim} second_orbit_has_equal_angles
 :title: Along the orbit of the second way an angle grows evenly
 :zh: 第二种方法的等角参数
-:given: any $r$, $\theta$ and $\delta=\frac{\Delta\theta}2$, by the directions $(a_0,a_1)$ and $(b_0,b_1)$ of their halves
+:given: any $r$, $\theta$ and $\delta=\frac{\Delta\theta}2$, by the directions $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ of the halves of $\theta$ and $\delta$
+:harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
 :then: the step $T$ with $\varepsilon=2\sin\delta$ takes $(r\cos\theta,r\sin(\theta+\delta))$ to
   $(r\cos(\theta+2\delta),r\sin(\theta+3\delta))$, and the middle terms of both chains are equal to the outer ones
 :method: All sums of angles from the directions of their halves, as $(a_0b_0-a_1b_1,\,a_0b_1+a_1b_0)$ for $\theta+\delta$; the five numbers are variables.
