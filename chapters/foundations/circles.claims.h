@@ -139,7 +139,8 @@ CLAIM(angle_zero_turns_no_point) { refute_that_a_turn_moves(T); }
 :::{claim} rotated_points_are_equally_spaced
 :title: All points are on the circle, at equal angles and distances
 :zh: 点列在圆上,夹角与间距相等
-:given: any point $P_n$, any angle, by the direction $(a_0,a_1)\ne(0,0)$ of its half
+:given: any point $P_n$, any angle $\Delta\theta$, by the direction $(a_0,a_1)\ne(0,0)$ of its half; the step $x_{n+1}=x_n\cos\Delta\theta-y_n\sin\Delta\theta$,
+  $y_{n+1}=y_n\cos\Delta\theta+x_n\sin\Delta\theta$ of (1-3-1)
 :harmless: $(a_0,a_1)\ne(0,0)$ | so is the half of every angle
 :then: $x_{n+1}^2+y_{n+1}^2=x_n^2+y_n^2$, $P_n\cdot P_{n+1}=\cos\Delta\theta\,|P_n|^2$, $P_n\times P_{n+1}=\sin\Delta\theta\,|P_n|^2$ and
   $|P_{n+1}-P_n|^2=2(1-\cos\Delta\theta)\,|P_n|^2$; so all points are on one circle, each is turned by $\Delta\theta$ from the one before, and all
@@ -349,7 +350,7 @@ treated alike in its four quadrants.
 :zh: 精确计算 n 步后末一非零位下移 nm 位
 :kind: decision
 :given: $P_0\ne(0,0)$ of binary coordinates, $2^b$ the power with which $2^bP_0$ has whole coordinates of which one is odd, $b$ any integer; $\varepsilon=2^{-m}$, $m\ge1$, any
-  number $n$ of steps; $X=2^{nm+b}x_n$, $Y=2^{nm+b}y_n$
+  number $n$ of steps (1-3-4), $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$; $X=2^{nm+b}x_n$, $Y=2^{nm+b}y_n$
 :harmless: $P_0\ne(0,0)$ | the scope says so
 :then: $X$ and $Y$ are integers, and one of them is odd: shifts suffice, and no shorter words do
 :method: The next two numbers are $2^mX-Y$ and $X+2^mY$; since $2^m$ is even, they have the remainders of $Y$ and $X$ modulo
@@ -463,7 +464,7 @@ radius at its end is between $\frac65$ and $\frac54$ of the first one: `turn_of_
 :::{claim} small_steps_multiply_the_radius
 :title: Every step multiplies the radius by the same number
 :zh: 半径按等比增长
-:given: any point $P_n$, any $\varepsilon$
+:given: any point $P_n$, any $\varepsilon$; the step (1-3-4), $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$
 :then: $x_{n+1}^2+y_{n+1}^2=(1+\varepsilon^2)(x_n^2+y_n^2)$; so $x_n^2+y_n^2=(1+\varepsilon^2)^n(x_0^2+y_0^2)$
 :method: One step, point and $\varepsilon$ variables, then induction; the factor is the determinant.
 :scope: every number of steps
@@ -603,7 +604,7 @@ The new radius is larger after every step: $|P_{n+1}|^2=(1+\varepsilon^2)|P_n|^2
 :::{claim} small_step_adds_a_perpendicular_vector
 :title: The step is at a right angle to the radius, and a fixed share of its length
 :zh: 增量垂直于位置矢量
-:given: any point, any $\varepsilon$
+:given: any point $P_n$, any $\varepsilon$; the step (1-3-4), $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$
 :then: $(P_{n+1}-P_n)\cdot P_n=0$ and $|P_{n+1}-P_n|^2=\varepsilon^2|P_n|^2$, whence $|P_{n+1}|^2=|P_n|^2+\varepsilon^2|P_n|^2$ by Pythagoras
 :method: Identities in the point and $\varepsilon$.
 :over: x y: point; e: ε
@@ -647,7 +648,8 @@ arc of one.
 :::{claim} small_steps_are_powers_of_a_complex_number
 :title: The points are the powers of one complex number
 :zh: 点列为复数的幂
-:given: any first point, any $\varepsilon$, any complex number $z=u+iv$; $x_n+iy_n=z\,(x_0+iy_0)$
+:given: any first point, any $\varepsilon$; the step (1-3-4), $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$; any complex number $z=u+iv$, and
+  $x_n+iy_n=z\,(x_0+iy_0)$
 :then: $x_{n+1}+iy_{n+1}=(1+i\varepsilon)\,z\,(x_0+iy_0)$; so with $z=(1+i\varepsilon)^n$, from $z=1$ on,
   $x_n+iy_n=(1+i\varepsilon)^n(x_0+iy_0)$, and in every step the argument grows by $\arctan\varepsilon$, and the radius is
   multiplied by $|1+i\varepsilon|$
