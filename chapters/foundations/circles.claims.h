@@ -182,7 +182,7 @@ found by Pythagoras, or from the tangent of half the angle.
 :meant: the words above, by which a suitable $\Delta\theta$ is chosen | The step is given by its angle.
 :reading: rotation_matrix_adds_the_angle | the step is given by its angle: the entries of the matrix are its cosine and its sine
 :reading: rational_step_has_no_angle | any step that is small and always the same will do, and it needs trigonometric functions, too
-:argued: | The entries of the matrix are numbers of the step, and of the angle alone; so they have to be computed from it, by the two functions.
+:argued: | The entries of the matrix are functions of the angle alone, its cosine and its sine; where the step is given by its angle, these two have to be computed.
 :figure: three_generators
 :::
 */

@@ -374,8 +374,8 @@ origin, and that is what the formula draws.
 :given: the printed coordinates $P$ and $P^*$ of the two points
 :data: P = (0,0) (10,10); P* = (-3,-2) (7,8)
 :instead: P* = (-3,-2) (7,6)
-:then: $P_i-P_i^*$ is the same for both points: a translation, which moves the origin to $O^*$ and keeps the directions of the axes, makes the ones
-  of the others
+:then: $P_i-P_i^*$ is the same for both points: a translation, which moves the origin to $O^*$ and keeps the directions of the axes, makes the new
+  coordinates of the old ones
 :result: O* = (3,2)
 :method: Both differences, in integers.
 :control: another ordinate of $P_1^*$
