@@ -252,7 +252,7 @@ CLAIM(rational_step_has_no_angle)
 :title: The simplified matrix is the rotation to first order in the angle
 :zh: 一阶近似
 :types: field
-:given: the matrix of (1-3-2), any point $(x,y)$ and any $e$; and the rotation by $\Delta\theta=2\arctan a$, so that
+:given: the matrix of (1-3-2), by which $[x\;y]$ becomes $(x\cos\Delta\theta-y\sin\Delta\theta,\,x\sin\Delta\theta+y\cos\Delta\theta)$; any point $(x,y)$ and any $e$; and the rotation by $\Delta\theta=2\arctan a$, so that
   $\frac{d\Delta\theta}{da}=\frac2{1+a^2}$
 :then: with 1 and $e$ in the place of cosine and sine the row $(x,y)$ times the matrix is $(x-ey,\,ex+y)$, the printed step with $\Delta\theta=e$; at $a=0$ the
   rotation matrix is the unit matrix and its derivative with respect to $\Delta\theta$ is that of the step, $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
@@ -378,7 +378,7 @@ static int floor_quotient(int x, int unit) { return x >= 0 ? x / unit : -((unit 
 :title: With integers the point stands still
 :zh: 整数移位使点停止不动
 :kind: counterexample
-:given: one step of (1-3-4) from $(x_0,y_0)$ to $(x_1,y_1)$, $\varepsilon=2^{-m}$, in whole numbers; shifts that drop the bits shifted out
+:given: one step of (1-3-4), $x_1=x_0-\varepsilon y_0$, $y_1=\varepsilon x_0+y_0$, $\varepsilon=2^{-m}$, in whole numbers; shifts that drop the bits shifted out
 :data: m = 4; x_0 = 10; y_0 = 0
 :instead: x_0 = 160
 :then: $x_1=x_0$ and $y_1=y_0$: the point never moves, though the exact $y_1$ is not $y_0$
@@ -555,7 +555,7 @@ static void refute_that_a_step_moves(trial *T)
 :title: A step of zero closes at once
 :zh: 步长为零时不动
 :kind: counterexample
-:given: one step of (1-3-5) with $\varepsilon$, from $P_0$ to $P_1$
+:given: one step of (1-3-5), $x_1=x_0-\varepsilon y_0$, $y_1=\varepsilon x_0+y_0$, from $P_0$ to $P_1$
 :data: ε = 0; P_0 = (1,0)
 :instead: ε = 1/16
 :then: $P_1=P_0$
@@ -573,7 +573,7 @@ CLAIM(small_step_of_zero_stays) { refute_that_a_step_moves(T); }
 :title: A point at the centre stays there
 :zh: 圆心处的点不动
 :kind: counterexample
-:given: one step of (1-3-5) with $\varepsilon$, from $P_0$ to $P_1$
+:given: one step of (1-3-5), $x_1=x_0-\varepsilon y_0$, $y_1=\varepsilon x_0+y_0$, from $P_0$ to $P_1$
 :data: ε = 1/16; P_0 = (0,0)
 :instead: P_0 = (1,0)
 :then: $P_1=P_0$

@@ -161,7 +161,7 @@ CLAIM(two_cubes_begin_and_end_at_their_points)
 :::{claim} two_cubes_from_the_origin_trace_the_segment
 :title: With one point at the origin the example is the segment
 :zh: 一点为原点时得直线段
-:given: $P_0=(0,0)$, any $P_1$, any $t$; $s\ge0$, $d>0$
+:given: $P(t)=(1-t)^3P_0+t^3P_1$ with $P_0=(0,0)$, any $P_1$, any $t$; $s\ge0$, $d>0$
 :then: $P(t)=P_0+t^3(P_1-P_0)$, $P(0)=P_0$, $P(1)=P_1$; $t^3$ runs from 0 to 1 and never back, since $(s+d)^3-s^3=d\,(3s^2+3sd+d^2)>0$ for $s\ge0$,
   $d>0$: so the curve is the segment, once
 :method: Identities in $t$ and $P_1$, of which $(10,10)$ is one value, and in $s$ and $d$; what comes out has positive coefficients only, that of $d^3$ among
@@ -419,7 +419,7 @@ No part of it is straight: $P'\times P''$ is 0 at $P_0^*$ and $P_1^*$ only.
 :title: The curve of the example in the new coordinates turns to one side all the way
 :zh: 新坐标系中曲线处处弯曲
 :kind: decision
-:given: the points $P^*$ of the source
+:given: the points $P_0^*=(-3,-2)$ and $P_1^*=(7,8)$ of the source, and their curve $P(t)=(1-t)^3P_0^*+t^3P_1^*$
 :data: P* = (-3,-2) (7,8)
 :instead: P* = (0,0) (7,8)
 :then: $P'\times P''$ has no zero in $(0,1)$, and zeros at 0 and 1
@@ -489,7 +489,7 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 :zh: 式 1-2-1 不满足坐标独立性
 :printed: (1-2-1) does not satisfy the condition of coordinate independence, that is, of the invariance of shape, so that it is not proper to
   describe shapes by it.
-:meant: the words behind (1-2-1), let $A_0(t)=(1-t)^3$, $A_1(t)=t^3$ | (1-2-1) with these two functions.
+:meant: the words behind (1-2-1), let $A_0(t)=(1-t)^3$, $A_1(t)=t^3$ | (1-2-1), $P(t)=A_0(t)P_0+A_1(t)P_1$, with these two functions, $A_0(t)=(1-t)^3$ and $A_1(t)=t^3$.
 :holds-by: two_cubes_from_the_origin_trace_the_segment image_of_the_example_turns_everywhere new_coordinates_are_a_translation
 :confirmed-by: image_of_the_example_is_not_the_translated_curve translation_adds_the_sum_of_the_functions matrices_pass_to_the_points
 :figure: two_cubes_and_their_image

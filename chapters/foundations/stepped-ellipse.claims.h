@@ -262,9 +262,9 @@ of second order, and both are half the sine to first order.
 :holds-by: ellipse_lies_between_two_circles
 :confirmed-by: inward_error_of_the_ellipse_is_larger
 :meant: the formula itself, in which $\cos\frac{\Delta\theta}2\big/\sqrt{1-\sin\frac{\Delta\theta}2}$ is the largest radius of the ellipse over $r$ | The
-  error is counted outwards, relative to $r$.
-:reading: ellipse_lies_between_two_circles | the largest distance outwards
-:reading: ellipse_leaves_the_circle_by_more | the largest distance of all, outwards or inwards
+  error is counted outwards, relative to the radius $r$ of the circle.
+:reading: ellipse_lies_between_two_circles | the error is the largest distance outwards
+:reading: ellipse_leaves_the_circle_by_more | the error is the largest distance of all, outwards or inwards
 :figure: ellipse_of_the_second_way
 
 With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, and for every $s$
