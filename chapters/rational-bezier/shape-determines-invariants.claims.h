@@ -37,7 +37,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :reading: equal_invariants_other_speed | same map of the parameter; then "if" fails, as the parameter is distributed
   differently; the source excludes this reading
 :reading: congruent_cubics_with_other_invariants | congruent curves; then "only if" fails, as the motion may exchange the
-  ends, and with them the weights (so for $n=4,5$ as well: `congruent_curves_beyond_cubics`)
+  ends, and with them the weights; the example has $n=3$, and there are such examples for $n=4,5$ as well
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: for "if"
 :needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n=3,4,5$ three edges not
@@ -588,7 +588,7 @@ the other end to symmetry.
 :needs: palindromes_of_degree_five | theorem 3.2.1, where the first three points are not collinear, and the first three edges not coplanar for
   $n\ge3$ | the first edges are independent: $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for $n=2$ and $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$
   for $n\ge3$.  Otherwise the point set may be run backwards, and the start of one curve is the end of the other.  In the example the last three edges
-  are coplanar, too, and the torsions agree, both being 0, but not the curvatures.
+  are coplanar, too, and the torsions agree, both being 0, but not the curvatures.  For $n=3$ it is enough that $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$, as is said at theorem 3.2.1.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself.  If it exchanged the ends, the first edges would be dependent by
