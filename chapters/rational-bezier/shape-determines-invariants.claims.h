@@ -52,7 +52,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
   linear change of the parameter | It is used in step (1).
 :argued: | (1) Two curves with one point set $T$ are proper and correspond to each other.  For $n=2$, $T$ is an arc of a proper conic.  For $n\ge3$, $T$ is in no plane, since its points $R_i$ would be in
   that plane, too (property 3.2.9); so its algebraic curve has at least the degree 3.  When common factors are removed, each parametrization has a degree of at most 5 that is a
-  multiple of it, hence equal to it: the curve is run once.  By the cited theorem the two differ by a projective map $\varphi$ of the parameter line, which maps $[0,1]$ onto itself.
+  multiple of it (each of the points in which a general plane meets the curve has equally many parameters), hence equal to it: the curve is run once.  By the cited theorem the two differ by a projective map $\varphi$ of the parameter line, which maps $[0,1]$ onto itself.
 :argued: | (2) They have one direction.  If $\varphi$ exchanged $0$ and $1$, then $R_0=R_n$, $a_1\parallel a_n$, and for $n=5$ the planes of $a_1,a_2$ and of $a_{n-1},a_n$ would
   be one; by `backward_run_flattens_the_first_edges` the first edges would then be dependent, against the hypothesis.
 :argued: | (3) Only if: curvature and torsion agree at corresponding ends.  By the claims they determine $I_1$, $I_1I_2$, $I_{n-1}$, $I_{n-2}I_{n-1}$, as $a_1\times a_2$ and, for $n\ge3$,
