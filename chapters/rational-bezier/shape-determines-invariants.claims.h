@@ -873,7 +873,7 @@ from the first three edges alone as well, as is said at theorem 3.2.1.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be dependent by
-  `backward_run_flattens_the_first_edges`; so start corresponds to start and end to end, and curvatures and torsions agree there.
+  `backward_run_flattens_the_first_edges`, as the end derivatives have the directions of the edges; so start corresponds to start and end to end, and curvatures and torsions agree there.
 
 $n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and
 $\tau(0)$ gives $I_2$.
