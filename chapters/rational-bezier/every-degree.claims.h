@@ -185,8 +185,8 @@ CLAIM(large_parameters_lead_to_the_left_end)
     /* t - a = l v/(1+v), l v - (t-a) = l v²/(1+v) */
     same(T, sub(t, a), div(mul(l, v), v1));
     same(T, sub(mul(l, v), sub(t, a)), div(mul(l, mul(v, v)), v1));
-    nonnegative(T, div(mul(l, v), v1));
-    nonnegative(T, div(mul(l, mul(v, v)), v1));
+    G(must_be_positive)(T, div(mul(l, v), v1));
+    G(must_be_positive)(T, div(mul(l, mul(v, v)), v1));
     num near = add(a, mul(l, v));
     about(T, "u near a");
     same(T, div(sub(b, near), sub(near, a)), sub(u, one));
