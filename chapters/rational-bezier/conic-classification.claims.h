@@ -315,6 +315,7 @@ CLAIM(discriminant_in_special_coordinates)
   positive weights; for $\omega=-1$, as in the example, the denominator is 0 at $u=\frac12$.
 :needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega\ne0$: so it is for
   positive weights.
+:meant: theorem 3.5.2, whose circular arcs have $I_1<1$ | A circle is an ellipse.
 :figure: classification_by_weight
 
 $\omega^2$ is the invariant $I_1$, and $\omega>0$.  With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for $\omega\ne0$.
