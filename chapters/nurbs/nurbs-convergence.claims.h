@@ -37,7 +37,7 @@ of the curve and the curve does not jump, and then with the square of the larges
 :figure: nurbs_polygons_converge
 :striking: 42
 
-For $k=2$ there is nothing to be decided: the curve is its polygon, and every refined polygon is the same polyline.
+For $k=2$ there is nothing to be decided: under these hypotheses the curve is its polygon, and with knots inserted inside the domain every refined polygon is the same polyline.
 :::
 
 :::{statement} wang-ch4:remark-4.1.1-convergence

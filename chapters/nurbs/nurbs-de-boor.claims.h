@@ -360,37 +360,44 @@ CLAIM(end_is_in_no_interval)
 :control: all weights positive
 :::
 */
-/* Refutes for the given quadratic segment: if the last weight of the levels is not 0, then w_2^[1] is not 0. */
-static void weight_of_the_first_level(trial *T)
+/* Refutes for the first segment of the given quadratic curve of n points: if the last weight of the levels is not 0, then w_2^[1]
+ * is not 0. */
+static void weight_of_the_first_level(trial *T, int n, const char *last, const char *refuted)
 {
-    num_q u[6], w[3];
-    given_points_q(T, "T", 6, 1, u);
-    given_points_q(T, "w", 3, 1, w);
+    num_q u[7], w[4];
+    given_points_q(T, "T", n + 3, 1, u);
+    given_points_q(T, "w", n, 1, w);
     num_q t = given_q(T, "t");
     num_q level = printed_weight_q(3, u, w, 1, 2, t), total = printed_weight_q(3, u, w, 2, 3, t);
     found_q(T, "w_2^[1](t)", level);
-    found_q(T, "w(t)", total);
-    about(T, "if w(t) is not 0, then w_2^[1] is not 0");
+    found_q(T, last, total);
+    about(T, refuted);
     refute(T, sign_q(total) != 0 && sign_q(level) == 0);
 }
 
-CLAIM(weight_of_a_level_may_vanish) { weight_of_the_first_level(T); }
+CLAIM(weight_of_a_level_may_vanish)
+{
+    weight_of_the_first_level(T, 3, "w(t)", "if w(t) is not 0, then w_2^[1] is not 0");
+}
 
 /*
 :::{claim} weight_of_a_level_vanishes_outside_the_interval
 :title: Outside its interval the algorithm subtracts positive weights
 :zh: 参数在区间之外时各层权因子可相消为零
 :kind: counterexample
-:given: the knots $T$ of one quadratic segment, positive weights $w$, and $t$ outside its interval
-:data: T = 0 0 0 1 1 1; w = 2 1 1; t = 2
+:given: the knots $T$ of two quadratic segments, positive weights $w$, and $t$ in the interval of the second, $[t_4,t_5)$; the levels with $j=3$, of the first
+:data: T = 0 0 0 1 2 2 2; w = 3 1 1 1; t = 3/2
 :instead: t = 1/2
-:then: $w_2^{[1]}(t)=(1-t)w_1+t\,w_2$ is a difference and vanishes, while the polynomial $w$ of the segment does not vanish at $t$
-:result: w_2^[1](t) = 0; w(t) = 2
+:then: $w_2^{[1]}(t)=(1-t)w_1+t\,w_2$ is a difference and vanishes, while $w_3^{[2]}(t)$, the polynomial $w$ of the first segment continued, does not
+:result: w_2^[1](t) = 0; w_3^[2](t) = 3/2
 :method: The weights of the levels by the recursion.
-:control: $t$ inside the interval
+:control: $t$ in the interval of the first segment
 :::
 */
-CLAIM(weight_of_a_level_vanishes_outside_the_interval) { weight_of_the_first_level(T); }
+CLAIM(weight_of_a_level_vanishes_outside_the_interval)
+{
+    weight_of_the_first_level(T, 4, "w_3^[2](t)", "if w_3^[2] is not 0, then w_2^[1] is not 0");
+}
 #endif
 
 /*

@@ -573,8 +573,9 @@ and references.
 :printed: Because of these merits NURBS are the only definition of free-form curves and surfaces in the STEP standard for the exchange of product data, formally
   issued by ISO in 1991 [1]; and well-known CAD companies, too, build their modelling systems first of all on the mathematical model of NURBS
 :reading: as history: no computation decides it.  The work cited for it is an article of 1991 on data exchange with STEP.
-:reading: as mathematics, that no other kind of curve is needed beside NURBS: that is not said; B-spline and rational Bézier curves are
-  among them, see `preface-special-case-bspline` and `preface-special-case-bezier`.
+
+That no other kind of curve is needed beside NURBS is not said.  B-spline and rational Bézier curves are among them, see
+`preface-special-case-bspline` and `preface-special-case-bezier`.
 :::
 */
 #include "chapters/judge/claims_off.h"
