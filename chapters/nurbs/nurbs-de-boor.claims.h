@@ -557,8 +557,11 @@ CLAIM(other_interval_divides_outside) { agree(T, G(edge_is_divided_inside)(T)); 
 :printed: The coefficients of corner cutting depend on the parameter $t$, the knots, the level $r$ and the number $i$ of the edge, and
   also on the weights of the curve
 :holds-by: weights_enter_the_coefficients every_level_divides_its_edges
+:confirmed-by: coefficients_differ_by_level_and_edge
 :figure: deboor_triangle
 
+On the level and the edge the coefficients depend through the knots $t_i$ and $t_{i+k-r}$ and the weights: those of one $t$ may all be different,
+`coefficients_differ_by_level_and_edge`, while over the knots of Bézier and with equal weights all are the same number.
 With equal weights the coefficients are those of de Boor's algorithm, and conversely the edge $i$ of level $r$ is divided as without
 weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :::
@@ -595,5 +598,40 @@ CLAIM(weights_enter_the_coefficients)
     same(T, div(P[0], sub(one, P[0])), mul(div(a, b), div(w, v)));
     same(T, sub(P[0], a), div(mul(mul(a, b), sub(w, v)), add(mul(a, w), mul(b, v))));
 }
+
+#if RATIONAL
+/*
+:::{claim} coefficients_differ_by_level_and_edge
+:title: The coefficients of one t may differ from level to level and from edge to edge
+:zh: 割角系数可随层数与边序号而异
+:kind: decision
+:given: a quadratic segment over the knots $T$ with equal weights $w$; $t$ in its interval, so that $j=3$
+:data: T = 1 2 3 4 5 6; w = 1 1 1; t = 7/2
+:instead: T = 0 0 0 1 1 1; t = 1/2
+:then: the three ratios $\lambda$ of (4.1.4), on the edges $i=2,3$ of level $1$ and $i=3$ of level $2$, are different
+:result: λ = 3/4 1/4 1/2
+:method: The ratio by its letter, each with each.
+:control: the knots of Bézier, over which all three are one number
+:::
+*/
+CLAIM(coefficients_differ_by_level_and_edge)
+{
+    static const int level[] = {1, 1, 2}, edge[] = {2, 3, 3};
+    num u[6], w[3], ratio[3];
+    given_points(T, "T", 6, 1, u);
+    given_points(T, "w", 3, 1, w);
+    num t = given(T, "t");
+    for (int m = 0; m < 3; m++) {
+        int r = level[m], i = edge[m];
+        num second = mul(sub(t, u[i - 1]), G(printed_weight)(3, u, w, r - 1, i, t));
+        num first = mul(sub(u[i + 3 - r - 1], t), G(printed_weight)(3, u, w, r - 1, i - 1, t));
+        ratio[m] = div(second, add(first, second));
+    }
+    found_points(T, "λ", 3, 1, ratio);
+    about(T, "no two of the ratios are equal");
+    agree(T, compare_q(ratio[0], ratio[1]) != 0 && compare_q(ratio[0], ratio[2]) != 0 &&
+                 compare_q(ratio[1], ratio[2]) != 0);
+}
+#endif
 
 #include "chapters/judge/claims_off.h"

@@ -111,7 +111,7 @@ this can be computed is decided here.
 :reading: parabola_arcs_are_quadratic | for the parabola it is no advantage: polynomials of degree two run through it
 :figure: nurbs_circle
 
-A whole circle is one NURBS curve with rational points and weights, whatever the five distinct knots are.
+A whole circle is one NURBS curve of order three with rational points and weights, over two threefold knots and three double ones between them, whatever their values are.
 :::
 */
 
