@@ -517,29 +517,29 @@ CLAIM(weights_of_levels_are_positive)
 :control: all weights positive
 :::
 */
-/* Whether the ratio in which the edge of the given linear segment is divided is in [0, 1]. */
-static int G(edge_is_divided_inside)(trial *T)
+/* Whether the ratio in which the first edge of the given linear curve of n points is divided is in [0, 1]. */
+static int G(edge_is_divided_inside)(trial *T, int n)
 {
-    num u[4], P[2], w[2];
-    given_points(T, "T", 4, 1, u);
-    given_points(T, "r", 2, 1, P);
-    given_points(T, "w", 2, 1, w);
+    num u[5], P[3], w[3];
+    given_points(T, "T", n + 2, 1, u);
+    given_points(T, "r", n, 1, P);
+    given_points(T, "w", n, 1, w);
     G(nurbs_deboor_level)(G(nurbs_on_span)(1, 1, u, 1, NULL, NULL), 1, P, w, given(T, "t"));
     found(T, "λ", P[0]);
     about(T, "0 <= λ <= 1");
     return sign_q(P[0]) >= 0 && sign_q(sub(from_int(1), P[0])) >= 0;
 }
 
-CLAIM(negative_weight_divides_outside) { agree(T, G(edge_is_divided_inside)(T)); }
+CLAIM(negative_weight_divides_outside) { agree(T, G(edge_is_divided_inside)(T, 2)); }
 
 /*
 :::{claim} other_interval_divides_outside
 :title: With the index of another interval an edge is divided outside
 :zh: 区间下标不符时外分
 :kind: counterexample
-:given: the first of two linear segments, from $0$ to $1$ on the line, the points $r$, over the knots $T$, with positive weights $w$; a parameter $t$ of the
-  second segment
-:data: T = 0 0 1 2; r = 0 1; w = 1 1/2; t = 3/2
+:given: two linear segments on the line, of the points $r$ over the knots $T$, with positive weights $w$; a parameter $t$ of the second, and the edge from $0$ to $1$
+  of the first
+:data: T = 0 0 1 2 2; r = 0 1 2; w = 1 1/2 1; t = 3/2
 :instead: t = 1/4
 :then: the ratio $\lambda$ in which the edge is divided is greater than $1$, so outside $[0,1]$
 :result: λ = 3
@@ -547,7 +547,7 @@ CLAIM(negative_weight_divides_outside) { agree(T, G(edge_is_divided_inside)(T));
 :control: $t$ in the interval of the first segment
 :::
 */
-CLAIM(other_interval_divides_outside) { agree(T, G(edge_is_divided_inside)(T)); }
+CLAIM(other_interval_divides_outside) { agree(T, G(edge_is_divided_inside)(T, 3)); }
 #endif
 
 /*
