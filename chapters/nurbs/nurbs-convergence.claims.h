@@ -22,9 +22,9 @@ of the curve and the curve does not jump, and then with the square of the larges
 :hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k$: so the polygon begins with the curve; otherwise $r_1$ may keep its distance, and where $t_1<t_{k+1}$ it is a
   vertex of every polygon, whatever is inserted, as of the $\alpha_{i,k}(1)$ only $\alpha_{1,k}(1)$ is not $0$
 :hypothesis: idle_start_keeps_the_first_vertex | $t_k<t_{k+1}$: otherwise $r_1$, which then has no share in the curve, may keep its distance, too
-:hypothesis: simple_end_keeps_the_last_vertex | $t_{n+1}=t_{n+k-1}$: so the polygon ends with the curve; otherwise $r_n$ may keep its distance, and where $t_n<t_{n+k}$ it is a
+:hypothesis: simple_end_keeps_the_last_vertex | the knots $t_{n+1},\dots,t_{n+k-1}$ are equal: so the polygon ends with the curve; otherwise $r_n$ may keep its distance, and where $t_n<t_{n+k}$ it is a
   vertex of every polygon, as of the $\alpha_{i,k}(j)$ of the last point $j$ only $\alpha_{n,k}(j)$ is not $0$
-:hypothesis: idle_end_keeps_the_last_vertex | $t_n<t_{n+1}$: otherwise $r_n$, which then has no share in the curve, may keep its distance, too
+:hypothesis: idle_end_keeps_the_last_vertex | the interval $[t_n,t_{n+1})$ is not empty: otherwise $r_n$, which then has no share in the curve, may keep its distance, too
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide: otherwise every
   polygon, whatever is inserted, keeps the edge over which the curve jumps
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
@@ -53,8 +53,8 @@ For $k=2$ there is nothing to be decided: under these hypotheses the curve is it
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, the largest gap $h_m\to0$
 :hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k$: so the polygon begins with the curve
 :hypothesis: idle_start_keeps_the_first_vertex | $t_k<t_{k+1}$: so $r_1$ has a share in the curve
-:hypothesis: simple_end_keeps_the_last_vertex | $t_{n+1}=t_{n+k-1}$: so the polygon ends with the curve
-:hypothesis: idle_end_keeps_the_last_vertex | $t_n<t_{n+1}$: so $r_n$ has a share in the curve
+:hypothesis: simple_end_keeps_the_last_vertex | the knots $t_{n+1},\dots,t_{n+k-1}$ are equal: so the polygon ends with the curve
+:hypothesis: idle_end_keeps_the_last_vertex | the interval $[t_n,t_{n+1})$ is not empty: so $r_n$ has a share in the curve
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide
 :meant: definition 4.1.1, which says what the polygon is, and section 2.10 | The whole polygon, so that its ends count, too; the $\alpha$ of (4.1.6) with intervals
   closed on the left, see `formula-4.1.6`.
