@@ -339,7 +339,7 @@ curvature that grows without bound.
 :meant: the other side of the equation, which is about the first piece, I | The index $x$ is II, that of the second piece.
 :figure: joints_of_order
 
-Decided is that the condition suffices.
+Decided here is that the condition suffices; that it has to be satisfied is said by the words before the formula, which are an entry of their own.
 :::
 
 :::{statement} hu-1987:1-5-3-beta
