@@ -177,6 +177,8 @@ coefficients would not notice where the curve is.
 :printed: A=2(\dot Q_0-\dot Q_1)+\dot Q_0+\dot Q_1
 :refuted-by: dotted_first_coefficient_misses_the_end
 :class: misprint
+:meant: the sentence in which the data are given, whose first $\dot Q_0$ and $\dot Q_1$ are called position vectors | Between the brackets $\dot Q_0$ and $\dot Q_1$ are the
+  position vectors; these dots are slips.
 :corrected: A=2(Q_0-Q_1)+\dot Q_0+\dot Q_1
 :corrected-by: end_data_determine_the_cubic
 :confirmed-by: positions_for_the_dots_miss_three_coefficients
@@ -229,6 +231,8 @@ CLAIM(dotted_first_coefficient_misses_the_end)
 :printed: B=3(\dot Q_1-\dot Q_0)-2\dot Q_0-\dot Q_1
 :refuted-by: dotted_second_coefficient_misses_the_end
 :class: misprint
+:meant: the sentence in which the data are given, whose first $\dot Q_0$ and $\dot Q_1$ are called position vectors | Between the brackets $\dot Q_0$ and $\dot Q_1$ are the
+  position vectors; these dots are slips.
 :corrected: B=3(Q_1-Q_0)-2\dot Q_0-\dot Q_1
 :corrected-by: end_data_determine_the_cubic
 :confirmed-by: positions_for_the_dots_miss_three_coefficients

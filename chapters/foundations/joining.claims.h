@@ -339,7 +339,7 @@ curvature that grows without bound.
 :meant: the other side of the equation, which is about the first piece, I | The index $x$ is II, that of the second piece.
 :figure: joints_of_order
 
-Decided is that the condition suffices.
+Decided here is that the condition suffices; that it has to be satisfied is said by the words before the formula, which are an entry of their own.
 :::
 
 :::{statement} hu-1987:1-5-3-beta
@@ -609,9 +609,10 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
   second_derivative_splits_along_the_first curvature_vector_is_the_turning_of_the_tangent signed_curvature_is_that_of_the_vector
 :confirmed-by: signed_curvature_is_the_turning_of_the_tangent
 :needs: vanishing_derivatives_hide_a_corner | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\dot P_{\mathrm
-  I}(1)\ne0$; as where there is a unit tangent vector: without it the conditions of the correction do not suffice.
+  I}(1)\ne0$; as where there is a unit tangent vector: without it $\dot P_{\mathrm{II}}(0)=0$ by (1-5-2), too, and the conditions of the correction do not suffice.  They
+  are not necessary either: of the two pairs of the next example, that of $P_{\mathrm I}$ and $P_{\mathrm{II}}$ has $\dot P_{\mathrm I}(1)=0$ alone, and no $\lambda$.
 :needs: singular_end_has_no_ratio | (1-5-2), with unit tangent vectors of both pieces | $\dot P_{\mathrm{II}}(0)\ne0$; as where there is a unit tangent vector: without
-  it the unit tangent may be continuous although there is no $\lambda>0$, as with $R_{\mathrm I}$ and $R_{\mathrm{II}}$.
+  it the unit tangent and the vector of curvature may be continuous although there is no $\lambda>0$, as with $R_{\mathrm I}$ and $R_{\mathrm{II}}$, both straight.
 :meant: the formula of section 1-4, by which the curvature is a number without a sign | The curvature is $K$.
 :reading: equal_curvatures_to_different_sides | where the curvature $K$ is continuous, (1-5-3) holds
 :reading: curvature_vector_forces_the_condition | where the unit tangent and the vector of curvature are continuous, (1-5-3) holds with some $\beta$
@@ -674,7 +675,7 @@ CLAIM(equal_curvatures_to_different_sides)
 :then: $P_{\mathrm{II}}''=\lambda^2P_{\mathrm I}''+\beta P_{\mathrm I}'$ with $\beta=\frac{\mu_2-\lambda^2\mu_1}{\alpha_1}$
 :method: An identity with everything a variable.  That every curve has such derivatives is
   $|P'|^2P''=(P'\cdot P'')\,P'+(P'\times P'')\times P'$, which is `second_derivative_splits_along_the_first`, divided by $|P'|^2$.
-:over: a#: lengths; u# k#: vectors; m#: numbers μ
+:over: a#: -; u# k#: derivatives; m#: -
 :control: $\beta=\frac{\mu_2-\mu_1}{\alpha_1}$
 :::
 */

@@ -267,7 +267,8 @@ CLAIM(piece_beyond_the_curve_is_longer)
 :zh: 切矢长度的变化
 :printed: The length of the tangent vector is $(t_1-t_0)$ times that of the original curve with the parameter $t$.
 :holds-by: derivatives_of_a_piece
-:needs: backward_piece_has_negative_length | the range printed before it, $0\le(t_1-t_0)\le1$ | $t_0\le t_1$: no length is negative
+:needs: backward_piece_has_negative_length | the range printed before it, $0\le(t_1-t_0)\le1$ | $t_0\le t_1$: otherwise $(t_1-t_0)$ times a length
+  that is not 0 is negative, and no length is.
 :figure: piece_of_a_cubic
 :::
 

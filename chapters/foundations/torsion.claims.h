@@ -171,7 +171,8 @@ CLAIM(printed_power_spoils_the_torsion)
   z\end{vmatrix}=\cdots=-12\begin{vmatrix}A_x&A_y&A_z\\B_x&B_y&B_z\\C_x&C_y&C_z\end{vmatrix}$
 :refuted-by: determinant_with_equal_rows_is_zero
 :class: misprint
-:corrected: $(\dot P\times\ddot P)\cdot\dddot P=-12\,(A,B,C)$, with $\dddot x,\dddot y,\dddot z$ in the last row
+:corrected: $(\dot P\times\ddot P)\cdot\dddot P=-12\,(A,B,C)$, with $\dddot x,\dddot y,\dddot z$ in the last row, and $(A,B,C)$ for the determinant with the rows $A$, $B$,
+  $C$
 :corrected-by: determinant_of_the_derivatives_is_constant
 :figure: determinants_of_the_derivatives
 :::
@@ -194,7 +195,7 @@ static void G(rows_in_coefficients)(const num c[], num t, int power_of_last, num
 :title: The determinant of the three derivatives does not depend on the parameter
 :zh: 三阶导矢行列式为常数
 :given: any cubic $P(t)=At^3+Bt^2+Ct+D$ in space, any $t$
-:then: $(P',P'',P''')=-12\,(A,B,C)$, also with the rows written out in coefficients
+:then: $(P',P'',P''')=-12\,(A,B,C)$, both determinants with the rows that are named, also with the rows of the first one written out in coefficients
 :method: The derivatives by the kernel, the mixed products as determinants of 9 entries, everything a variable.
 :over: x# y# z#: coefficients
 :control: $12\,(A,B,C)$
@@ -309,7 +310,7 @@ three powers of the parameter one by one, so when the determinant vanishes $P(t)
 :::{claim} cubic_is_plane_when_determinant_vanishes
 :title: The cubic is plane exactly when the determinant of its coefficients is zero
 :zh: 平面曲线的充要条件
-:given: any cubic $P(t)=At^3+Bt^2+Ct+D$ in space, any $t$
+:given: any cubic $P(t)=At^3+Bt^2+Ct+D$ in space, any $t$; $(A,B,C)$, the determinant with these rows
 :then: $(A\times B)\cdot(P-D)=t\,(A,B,C)$, $(C\times A)\cdot(P-D)=t^2(A,B,C)$, $(B\times C)\cdot(P-D)=t^3(A,B,C)$;
   $A\times(P-D)=t^2A\times B-t\,C\times A$, $B\times(P-D)=t\,B\times C-t^3A\times B$, $C\times(P-D)=t^3C\times A-t^2B\times C$; and for any vector $n$,
   $(A,B,C)\,n=(n\cdot A)\,B\times C+(n\cdot B)\,C\times A+(n\cdot C)\,A\times B$
