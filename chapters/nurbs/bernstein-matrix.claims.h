@@ -49,7 +49,8 @@ stand in none of the formulas.
 :confirmed-by: bernstein_coefficients_and_g
 :figure: bernstein_matrix
 
-$\mathbf G$ has $g_{ji}$ in row $j$ and column $i$, and $g_{ji}=0$ for $i<j$, see `bernstein-g`.
+$\mathbf G$ has $g_{ji}$ in row $j$ and column $i$, and $g_{ji}=0$ for $i<j$, see `bernstein-g`.  Another numbering of the knots around the span $[0,1)$ changes the
+indices of the columns, and not their order.
 :::
 */
 
