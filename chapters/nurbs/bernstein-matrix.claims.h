@@ -49,7 +49,8 @@ stand in none of the formulas.
 :confirmed-by: bernstein_coefficients_and_g
 :figure: bernstein_matrix
 
-$\mathbf G$ has $g_{ji}$ in row $j$ and column $i$, and $g_{ji}=0$ for $i<j$, see `bernstein-g`.
+$\mathbf G$ has $g_{ji}$ in row $j$ and column $i$, and $g_{ji}=0$ for $i<j$, see `bernstein-g`.  Another numbering of the knots around the span $[0,1)$ changes the
+indices of the columns, and not their order.
 :::
 */
 
@@ -462,7 +463,7 @@ CLAIM(bsplines_are_bernstein_polynomials)
 :class: misprint
 :refuted-by: printed_bernstein_matrix_is_transposed
 :meant: the line before it, which gives the $a_{ji}$ of these knots, and from which it is concluded | The $a_{ji}$ are the printed ones, see `bernstein-matrix`.
-:reading: bernstein_functions_in_every_order | the $a_{ji}$ are the entries of the coefficient matrix as they are, whatever is printed, and $t$ is in the span
+:reading: bernstein_functions_in_every_order | the $a_{ji}$ are the entries of the coefficient matrix as they are, whatever is printed, the knots are numbered from 0, and $t$ is in the span
 :reading-with: outer_functions_are_made_of_outer_ones bernstein_powers_in_every_degree
 :corrected: true for the entries $a_{ji}=(-1)^{i+j}\binom{k-1}j\binom ji$, not for the printed ones
 :corrected-by: bernstein_functions_in_every_order outer_functions_are_made_of_outer_ones

@@ -118,6 +118,8 @@ CLAIM(uniform_matrix_is_the_matrix)
 :corrected-by: equidistant_knots_make_factorials
 :confirmed-by: corrected_entry_becomes_the_first_sum uniform_chain_gives_the_matrix
 :figure: simple_knots_sign
+
+It is the sign alone that breaks the step, for odd $k$: each of the $k$ factors $t_\alpha-t_l$ is the negative of $t_l-t_\alpha$.  The letter $l$ in the exponents stands in both.
 :::
 */
 
@@ -416,7 +418,7 @@ By the letter the sum has no value: $l$, the variable of the second sum, is boun
 :title: In the third sum the letter l is free, and with l = 2 it is no entry of the matrix
 :zh: 第三式中的字母 l 无所指
 :kind: counterexample
-:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$, so that $s=i-r+k-1=1$; a value of $l$, which nothing says
+:given: $t_i=i$; the order $k$, the span $[t_r,t_{r+1})$ and the entry $a_{ji}$, so that $s=i-r+k-1=1$; a value for $l$, to which the line gives none
 :data: k = 2; r = 1; i = 1; j = 0; l = 2
 :then: $a_{ji}=0$; the third sum with this $l$ is not 0, and with $l=1$ it is 0
 :result: the third sum = -1; a_ji = 0
@@ -542,7 +544,8 @@ Here the exponent is printed right.  The first two steps are (4.4.23) put right,
 :holds-by: simple_function_in_every_order binomial_theorem_in_every_degree equidistant_knots_make_factorials
   uniform_terms_pass_into_one_another fourth_sum_is_the_printed_one
 :confirmed-by: uniform_matrix_is_the_matrix coefficient_matrix_is_affinely_invariant
-:needs: polynomial_of_a_span_ends_with_it | the line itself: on $[r,r+1)$ | $t$ lies in the span
+:needs: polynomial_of_a_span_ends_with_it | the line itself: on $[r,r+1)$ | $t$ lies in the span; in the example, at a $t$ of $[1,2)$, the only element is 1
+  for $r=1$, and for $r=0$ it would be 0
 :figure: uniform_matrices
 
 In $a_{j,r-k+1+i}$, $i,j=0,\dots,k-1$, $r$ numbers the columns alone.  Another $r$ is another first knot: around $[r,r+1)$ it is $r-k+1$.

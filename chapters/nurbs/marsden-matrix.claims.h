@@ -515,8 +515,8 @@ CLAIM(empty_span_makes_g_singular)
   $\mathbf G^Tc=0$ makes the polynomial vanish on the span, and $c=0$, since the powers are independent.
 :meant: (4.4.21), of which the line is said and which has a basis on either side; the powers are called a basis (幂基) in definition 4.4.1 | The basis functions are those of
   (4.4.21), the powers with the B-splines.
-:reading: singular_g_makes_powers_dependent | the functions on both sides of (4.4.21): those that are used are the powers
-:reading: independent_functions_do_not_suffice | the $N_{i,k}$ alone: that $k$ functions are independent does not say that $k$ combinations of them are
+:reading: singular_g_makes_powers_dependent | the basis functions are those on both sides of (4.4.21), and the independence of the powers is what makes $\det\mathbf G\ne0$
+:reading: independent_functions_do_not_suffice | the basis functions are the $N_{i,k}$ alone: that $k$ functions are independent does not say that $k$ combinations of them are
 :needs: empty_span_makes_g_singular | theorem 4.4.3: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 

@@ -686,7 +686,7 @@ Comparing the coefficients of the powers of $x$ on both sides gives the powers o
 :::
 
 :::{statement} wang-ch4:formula-4.4.21
-:title: The same in matrix form
+:title: The powers of t in matrix form
 :zh: 矩阵形式
 :printed: (1,t,\dots,t^{k-1})=(N_{r-k+1,k}(t),N_{r-k+2,k}(t),\dots,N_{r,k}(t))\,\mathbf G_{r,k,T}^T
 :holds-by: marsden_step_for_every_order coefficients_of_marsden_in_every_order
