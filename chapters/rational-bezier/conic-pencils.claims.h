@@ -508,10 +508,12 @@ common points is now a matter of how the four lines lie.
   $l_1,l_2$ meets each of $l_3,l_4$ in one point.
 :needs: concurrent_lines_lose_a_point | the sentence itself, which has four points | the four points of the two pairs are different.
 :hypothesis: diagonals_are_no_member | $\lambda=\infty$ is admitted; otherwise the member $l_1l_2-l_3l_4=0$ is missing.
+:meant: (3.1.2), of which this is a case | The members are all the conics through the four points.
 :figure: pencil_of_conics
 
 That no three of the four points are on a line follows when they are four different ones, and so does that $l_3l_4$ is no multiple of $l_1l_2$: $l_3$
-meets $l_1$ and $l_2$ in one point each, so it is neither of them.
+meets $l_1$ and $l_2$ in one point each, so it is neither of them.  That every member passes through the points where the pairs meet needs neither
+that they are different nor $\lambda=\infty$.
 :::
 
 :::{claim} line_pairs_share_four_points

@@ -691,7 +691,7 @@ CLAIM(ends_do_not_move_with_inner_weight)
   convex hull, elevation, each as in the list that follows.
 :meant: the list of properties that follows | The properties 3.2.1 to 3.2.10, as far as they are true; decided here of 3.2.1 to 3.2.3, 3.2.5 and 3.2.6.
 :needs: curve_leaves_hull_with_negative_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
-  positive: for the convex hull
+  positive: for the convex hull.
 :confirmed-by: equal_weights_give_bezier_curve affine_image_of_the_curve_is_the_curve_of_the_images
   reversed_points_and_weights_reverse_the_curve curve_leaves_its_ends_along_the_first_edges
   curve_points_are_convex_combinations elevation_keeps_rational_curve

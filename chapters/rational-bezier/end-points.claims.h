@@ -25,7 +25,8 @@ the right one carries two slips, both invisible in the usual case $k=h=1$.
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_0\ne0$ and $\omega_n\ne0$: for the curve to pass through the end points.
 :needs: zero_weight_turns_the_end_tangent | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_k\ne0$
-  and $\omega_{n-h}\ne0$: at simple ends $\omega_1$ and $\omega_{n-1}$; for the tangent to be that of the edge.  With $n=2$, as in the example, $\omega_1$ is both.
+  and $\omega_{n-h}\ne0$: at simple ends $\omega_1$ and $\omega_{n-1}$; for the tangent to be that of the edge.  With $n=2$, as in the example,
+  $\omega_1$ is both; points and weights are symmetric there, so that the curve is not tangent to the last edge either.
 :needs: negative_weight_reverses_the_end_tangent | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
   $\omega_k/\omega_0>0$ and $\omega_{n-h}/\omega_n>0$: for the curve to leave towards $R_k$ and to arrive from $R_{n-h}$:
   otherwise the edge is on the tangent, but behind the end point.
@@ -394,7 +395,7 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :holds-by: first_power_decides_the_end_derivative mean_grows_by_one_term
 :confirmed-by: end_derivatives_in_every_degree end_derivatives_at_zero_with_repeated_points
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_0=\omega(0)\ne0$.
+  $\omega_0=\omega(0)\ne0$: the formula divides by it, and without it the curve need not begin in $R_0$.
 :figure: end_tangents
 :::
 
@@ -409,7 +410,7 @@ CLAIM(end_derivatives_at_one_with_repeated_points)
 :corrected-by: first_power_decides_the_end_derivative mean_grows_by_one_term
 :confirmed-by: end_derivatives_in_every_degree end_derivatives_at_one_with_repeated_points two_multiplicities_leave_an_edge
 :needs: zero_end_weight_loses_the_end_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega_n=\omega(1)\ne0$.
+  $\omega_n=\omega(1)\ne0$: the formula divides by it, and without it the curve need not end in $R_n$.
 :striking: 3
 :figure: end_derivatives
 

@@ -27,7 +27,8 @@ all triangles.
 :meant: the equation, which leaves $\lambda l_3^2=0$ where $l_1=0$ or $l_2=0$ | $R_0$ is the point where $l_3$ meets $l_1$, and $R_2$ the point where it meets $l_2$.
 :figure: limings_pencil
 
-That $R_0\ne R_2$ is stated only later, with the frame $\{R_1;R_1R_0,R_1R_2\}$, for which $l_1$ and $l_2$ have to meet; here they may be parallel.
+That $R_0\ne R_2$ is stated only later, with the frame $\{R_1;R_1R_0,R_1R_2\}$, for which $l_1$ and $l_2$ have to meet; here they may be parallel.  As at (3.1.2) all such conics
+are to be members; that each member touches the two lines needs $\lambda\ne1$ and $R_0\ne R_2$ only.
 
 The values and gradients of the members are linear in the two factors $1-\lambda$ and $\lambda$, so what is proved of them is true for the factors $1$ and $-1$ of
 $\lambda=\infty$ as well.

@@ -229,13 +229,14 @@ CLAIM(ratios_of_lengths_need_weights_of_one_sign)
   {(1-t)^2\omega_0+2(1-t)t\omega_1+t^2\omega_2}$, $0\le t\le1$, represents the arc of the conic that the three points
   $R_0,R_1,R_2$ determine; it carries a constant, $g_1g_2=\frac{\omega_0\omega_2}{\omega_1^2}>0$.
 :holds-by: rational_quadratic_of_the_arc every_point_of_the_arc_is_reached each_pair_of_ratios_has_one_parameter
-:meant: the second half of the sentence: the representation carries a constant | The three points and the constant
-  determine the arc.
+:meant: the second half of the sentence, by which the representation carries a constant, and the ratios of lengths that lead to it, which tell the points inside the triangle |
+  The three points and the constant determine the arc, which lies in the triangle.
 :needs: complementary_arc_leaves_the_triangle | § 3.1, which introduces $g_1$, $g_2$ as quotients of lengths and says
   $\omega_0\omega_2/\omega_1^2>0$ below (3.1.5) | the weights are of one sign: $g_1$ and $g_2$ are ratios of lengths.
 :needs: segment_does_not_fix_the_constant | the affine frame $\{R_1;R_1R_0,R_1R_2\}$ of § 3.1 | $R_0$, $R_1$, $R_2$ do not lie
   on a line.
-:reading: rational_quadratic_of_the_arc | The arc of the conic of the pencil that has this constant.
+:reading: rational_quadratic_of_the_arc | The arc inside the triangle, from $R_0$ to $R_2$, of the conic of the pencil that has this constant.
+:reading-with: every_point_of_the_arc_is_reached each_pair_of_ratios_has_one_parameter
 :reading: points_alone_do_not_determine_the_arc | The three points alone determine the arc; but two constants have
   two arcs.
 :figure: tangent_ratios

@@ -25,7 +25,7 @@ $\lambda=\frac{xy}{xy+s^2}$, so an identity on all curves of the family is an id
 :holds-by: tangent_meets_the_conic_doubly
 :confirmed-by: slope_exists_inside_the_triangle
 :needs: upright_tangent_has_no_slope | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ | $S_y'\ne0$; as at every point of the curve (3.1.4) with the
-  minus sign inside the triangle when $0<\lambda<1$; where $S_y'=0$, the tangent is parallel to $l_2=0$, and there is no $B$.
+  minus sign inside the triangle when $0<\lambda<1$; a tangent with $S_y'=0$ is parallel to $l_2=0$ or is $l_2=0$ itself, and there is no point $B$.
 
 Without division, $S_x'(X-x)+S_y'(Y-y)=0$ is the tangent at every point where the gradient is not zero.
 :::
@@ -576,7 +576,7 @@ while the sentence is about every curve of the family.
 :corrected-by: product_of_ratios_is_constant
 :confirmed-by: product_of_ratios_is_positive_inside
 :reading: product_of_ratios_is_constant | Only the curves of points of the triangle are spoken of, with the minus sign, as where the source names $\lambda\in(0,1)$: then
-  it is right, wherever both ratios exist
+  it is right, wherever both ratios exist.
 :reading: product_of_ratios_can_be_negative | $g_1$, $g_2$ have signs: constant, but negative for $\lambda>1$ and for
   $\lambda<0$.
 :reading: product_of_lengths_is_not_printed | $g_1$, $g_2$ are ratios of lengths: constant and positive, but not
