@@ -251,7 +251,8 @@ the corners are cut.
 :degrees: points = 3..6
 :argued: every number of points | The equation is the formula of Cauchy and Binet; three rows have entries in six columns at most,
   and which of these coincide is decided by whether neighbouring rows follow one another.
-:over: a#: ratios of division; e#: shares of the ends; x#: homogeneous points
+:scope: every ratio of division, 0 and 1 among them
+:over: a#: -; e#: shares of the ends; x#: homogeneous points
 :control: two neighbouring rows exchanged in the minors
 :::
 */
@@ -513,7 +514,8 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :then: $w'r'=(1-\alpha)w_{i-1}r_{i-1}+\alpha w_ir_i$; and
   $w'>0$, $s\ge0$, $1-s\ge0$
 :method: Identities in the field, and signs of coefficients; for $\alpha=0$ and $\alpha=1$ also that $s=\alpha$.
-:over: a#: ratios of division; r#: points
+:scope: every ratio of division, 0 and 1 among them
+:over: a#: -; r#: points
 :control: $s$ taken as $\alpha$, without weights
 :::
 */
