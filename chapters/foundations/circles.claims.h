@@ -43,7 +43,8 @@ sections of their own.
 :given: any $r$, and two angles by the directions $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ of their halves, so that
   $\cos\theta=\frac{a_0^2-a_1^2}{a_0^2+a_1^2}$ and $\sin\theta=\frac{2a_0a_1}{a_0^2+a_1^2}$, likewise those of $\Delta\theta$
 :harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
-:then: $r(\cos\theta,\sin\theta)$ times the printed matrix of $\Delta\theta$ is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
+:then: for $(x_n,y_n)=r(\cos\theta,\sin\theta)$ the row $(x_n\cos\Delta\theta-y_n\sin\Delta\theta,\,x_n\sin\Delta\theta+y_n\cos\Delta\theta)$, the product of $[x_n\;y_n]$ and the
+  matrix (1-3-2), is $r(\cos(\theta+\Delta\theta),\sin(\theta+\Delta\theta))$
 :method: The sum of the angles is formed on the other side, from the direction $(a_0b_0-a_1b_1,\,a_0b_1+a_1b_0)$ of half of it; the five numbers
   are variables.
 :over: a# b#: angles; r: radius
@@ -138,7 +139,8 @@ CLAIM(angle_zero_turns_no_point) { refute_that_a_turn_moves(T); }
 :::{claim} rotated_points_are_equally_spaced
 :title: All points are on the circle, at equal angles and distances
 :zh: 点列在圆上,夹角与间距相等
-:given: any point $P_n$, any angle, by the direction $(a_0,a_1)\ne(0,0)$ of its half
+:given: any point $P_n$, any angle $\Delta\theta$, by the direction $(a_0,a_1)\ne(0,0)$ of its half; the step $x_{n+1}=x_n\cos\Delta\theta-y_n\sin\Delta\theta$,
+  $y_{n+1}=y_n\cos\Delta\theta+x_n\sin\Delta\theta$ of (1-3-1)
 :harmless: $(a_0,a_1)\ne(0,0)$ | so is the half of every angle
 :then: $x_{n+1}^2+y_{n+1}^2=x_n^2+y_n^2$, $P_n\cdot P_{n+1}=\cos\Delta\theta\,|P_n|^2$, $P_n\times P_{n+1}=\sin\Delta\theta\,|P_n|^2$ and
   $|P_{n+1}-P_n|^2=2(1-\cos\Delta\theta)\,|P_n|^2$; so all points are on one circle, each is turned by $\Delta\theta$ from the one before, and all
@@ -180,7 +182,7 @@ found by Pythagoras, or from the tangent of half the angle.
 :meant: the words above, by which a suitable $\Delta\theta$ is chosen | The step is given by its angle.
 :reading: rotation_matrix_adds_the_angle | the step is given by its angle: the entries of the matrix are its cosine and its sine
 :reading: rational_step_has_no_angle | any step that is small and always the same will do, and it needs trigonometric functions, too
-:argued: | The entries of the matrix are numbers of the step, and of the angle alone; so they have to be computed from it, by the two functions.
+:argued: | The entries of the matrix are functions of the angle alone, its cosine and its sine; where the step is given by its angle, these two have to be computed.
 :figure: three_generators
 :::
 */
@@ -250,10 +252,10 @@ CLAIM(rational_step_has_no_angle)
 :title: The simplified matrix is the rotation to first order in the angle
 :zh: 一阶近似
 :types: field
-:given: the matrix of (1-3-2), any point $(x,y)$ and any $e$; and the rotation by $\Delta\theta=2\arctan a$, so that
+:given: the matrix of (1-3-2), by which $[x\;y]$ becomes $(x\cos\Delta\theta-y\sin\Delta\theta,\,x\sin\Delta\theta+y\cos\Delta\theta)$; any point $(x,y)$ and any $e$; and the rotation by $\Delta\theta=2\arctan a$, so that
   $\frac{d\Delta\theta}{da}=\frac2{1+a^2}$
 :then: with 1 and $e$ in the place of cosine and sine the row $(x,y)$ times the matrix is $(x-ey,\,ex+y)$, the printed step with $\Delta\theta=e$; at $a=0$ the
-  rotation matrix is 1 and its derivative with respect to $\Delta\theta$ is that of the step, $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
+  rotation matrix is the unit matrix and its derivative with respect to $\Delta\theta$ is that of the step, $\begin{bmatrix}0&1\\-1&0\end{bmatrix}$
 :method: The product with everything a variable; the matrix as a rational function of $a$, differentiated in the field; chain rule.
 :scope: Δθ → 0
 :over: x y e a: -
@@ -332,7 +334,7 @@ treated alike in its four quadrants.
 :printed: For $\varepsilon=2^{-m}$ with $m$ large enough, $\varepsilon x_n$ and $\varepsilon y_n$ are computed by shifting, and circles or
   arcs are generated at high speed.
 :holds-by: exact_steps_need_m_more_bits_each
-:meant: the words by shifts (通过移位运算), and those on the circle that follow, which is not closed | High speed is: with shifts in the place of products.
+:meant: the words by shifts (通过移位运算), and the next sentence, in which the circle that is produced is not closed | High speed is: with shifts in the place of products.
   The circles or arcs are the points of (1-3-4), as the source calls them.
 :hypothesis: short_registers_stop_the_point | the registers keep the bits that are shifted out: in $n$ steps the last bit of the
   point that is not 0 goes down by $nm$ places.
@@ -348,7 +350,7 @@ treated alike in its four quadrants.
 :zh: 精确计算 n 步后末一非零位下移 nm 位
 :kind: decision
 :given: $P_0\ne(0,0)$ of binary coordinates, $2^b$ the power with which $2^bP_0$ has whole coordinates of which one is odd, $b$ any integer; $\varepsilon=2^{-m}$, $m\ge1$, any
-  number $n$ of steps; $X=2^{nm+b}x_n$, $Y=2^{nm+b}y_n$
+  number $n$ of steps (1-3-4), $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$; $X=2^{nm+b}x_n$, $Y=2^{nm+b}y_n$
 :harmless: $P_0\ne(0,0)$ | the scope says so
 :then: $X$ and $Y$ are integers, and one of them is odd: shifts suffice, and no shorter words do
 :method: The next two numbers are $2^mX-Y$ and $X+2^mY$; since $2^m$ is even, they have the remainders of $Y$ and $X$ modulo
@@ -376,7 +378,7 @@ static int floor_quotient(int x, int unit) { return x >= 0 ? x / unit : -((unit 
 :title: With integers the point stands still
 :zh: 整数移位使点停止不动
 :kind: counterexample
-:given: one step of (1-3-4) from $(x_0,y_0)$ to $(x_1,y_1)$, $\varepsilon=2^{-m}$, in whole numbers; shifts that drop the bits shifted out
+:given: one step of (1-3-4), $x_1=x_0-\varepsilon y_0$, $y_1=\varepsilon x_0+y_0$, $\varepsilon=2^{-m}$, in whole numbers; shifts that drop the bits shifted out
 :data: m = 4; x_0 = 10; y_0 = 0
 :instead: x_0 = 160
 :then: $x_1=x_0$ and $y_1=y_0$: the point never moves, though the exact $y_1$ is not $y_0$
@@ -462,7 +464,7 @@ radius at its end is between $\frac65$ and $\frac54$ of the first one: `turn_of_
 :::{claim} small_steps_multiply_the_radius
 :title: Every step multiplies the radius by the same number
 :zh: 半径按等比增长
-:given: any point $P_n$, any $\varepsilon$
+:given: any point $P_n$, any $\varepsilon$; the step (1-3-4), $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$
 :then: $x_{n+1}^2+y_{n+1}^2=(1+\varepsilon^2)(x_n^2+y_n^2)$; so $x_n^2+y_n^2=(1+\varepsilon^2)^n(x_0^2+y_0^2)$
 :method: One step, point and $\varepsilon$ variables, then induction; the factor is the determinant.
 :scope: every number of steps
@@ -553,7 +555,7 @@ static void refute_that_a_step_moves(trial *T)
 :title: A step of zero closes at once
 :zh: 步长为零时不动
 :kind: counterexample
-:given: one step of (1-3-5) with $\varepsilon$, from $P_0$ to $P_1$
+:given: one step of (1-3-5), $x_1=x_0-\varepsilon y_0$, $y_1=\varepsilon x_0+y_0$, from $P_0$ to $P_1$
 :data: ε = 0; P_0 = (1,0)
 :instead: ε = 1/16
 :then: $P_1=P_0$
@@ -571,7 +573,7 @@ CLAIM(small_step_of_zero_stays) { refute_that_a_step_moves(T); }
 :title: A point at the centre stays there
 :zh: 圆心处的点不动
 :kind: counterexample
-:given: one step of (1-3-5) with $\varepsilon$, from $P_0$ to $P_1$
+:given: one step of (1-3-5), $x_1=x_0-\varepsilon y_0$, $y_1=\varepsilon x_0+y_0$, from $P_0$ to $P_1$
 :data: ε = 1/16; P_0 = (0,0)
 :instead: P_0 = (1,0)
 :then: $P_1=P_0$
@@ -602,7 +604,7 @@ The new radius is larger after every step: $|P_{n+1}|^2=(1+\varepsilon^2)|P_n|^2
 :::{claim} small_step_adds_a_perpendicular_vector
 :title: The step is at a right angle to the radius, and a fixed share of its length
 :zh: 增量垂直于位置矢量
-:given: any point, any $\varepsilon$
+:given: any point $P_n$, any $\varepsilon$; the step (1-3-4), $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$
 :then: $(P_{n+1}-P_n)\cdot P_n=0$ and $|P_{n+1}-P_n|^2=\varepsilon^2|P_n|^2$, whence $|P_{n+1}|^2=|P_n|^2+\varepsilon^2|P_n|^2$ by Pythagoras
 :method: Identities in the point and $\varepsilon$.
 :over: x y: point; e: ε
@@ -646,7 +648,8 @@ arc of one.
 :::{claim} small_steps_are_powers_of_a_complex_number
 :title: The points are the powers of one complex number
 :zh: 点列为复数的幂
-:given: any first point, any $\varepsilon$, any complex number $z=u+iv$; $x_n+iy_n=z\,(x_0+iy_0)$
+:given: any first point, any $\varepsilon$; the step (1-3-4), $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=\varepsilon x_n+y_n$; any complex number $z=u+iv$, and
+  $x_n+iy_n=z\,(x_0+iy_0)$
 :then: $x_{n+1}+iy_{n+1}=(1+i\varepsilon)\,z\,(x_0+iy_0)$; so with $z=(1+i\varepsilon)^n$, from $z=1$ on,
   $x_n+iy_n=(1+i\varepsilon)^n(x_0+iy_0)$, and in every step the argument grows by $\arctan\varepsilon$, and the radius is
   multiplied by $|1+i\varepsilon|$

@@ -267,8 +267,8 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :holds-by: end_data_determine_the_cubic
 :meant: the dot over it, by which section 1-4 writes derivatives | $\dot Q_0$ is the tangent vector at
   $t=0$.
-:reading: end_data_determine_the_cubic | $\dot Q_0$ is the tangent vector
-:reading: position_is_not_the_tangent | $\dot Q_0$ is the position vector, as the next line of the source has it for $D$
+:reading: end_data_determine_the_cubic | $C$ is the tangent vector at $t=0$, for which $\dot Q_0$ stands
+:reading: position_is_not_the_tangent | $C$ is the position vector at $t=0$, for which $\dot Q_0$ stands, as in the next line of the source, for $D$
 :figure: ends_with_lost_letters
 :::
 
@@ -280,8 +280,8 @@ CLAIM(dotted_second_coefficient_misses_the_end)
 :class: misprint
 :corrected: D=Q_0
 :corrected-by: end_data_determine_the_cubic
-:reading: dotted_last_coefficient_misses_the_beginning | $\dot Q_0$ is the tangent vector, as for $C$ in the line of the source before
-:reading: end_data_determine_the_cubic | $\dot Q_0$ is the position vector, as it is called where it is given
+:reading: dotted_last_coefficient_misses_the_beginning | $D$ is the tangent vector at $t=0$, for which $\dot Q_0$ stands, as in the formula of $C$
+:reading: end_data_determine_the_cubic | $D$ is the position vector at $t=0$, for which $\dot Q_0$ stands, as where the data are given
 :meant: the sentence in which the data are given, whose first $\dot Q_0$ is called the position vector | $\dot Q_0$ is the position vector; the dot is a slip.
 :figure: ends_with_lost_letters
 :::
@@ -322,9 +322,10 @@ and the second curve can be the first one, turned over.
 :holds-by: cubic_run_backward_exchanges_the_ends congruent_cubics_have_these_lengths
 :confirmed-by: other_lengths_give_another_cubic
 :argued: | A cubic that is no line is run through once: otherwise it is a curve of a smaller degree in a polynomial of a degree above 1, and 3 and 2 being
-  prime, that curve is a line.  Two with one arc so are $P_2(t)=P_1(\phi(t))$ with a fractional linear $\phi$, and polynomials leave only $\phi(t)=t$ and
-  $\phi(t)=1-t$, which take ends to ends.  The first makes the lengths equal.  By the second $Q_0=Q_1$, and each tangent is opposite to that of the other end of
-  the first curve, so that one direction at each end makes all parallel.  A motion keeps the lengths, or exchanges the ends.
+  prime, that curve is a line.  Two with one arc so are $P_2(t)=P_1(\phi(t))$ with a fractional linear $\phi$.  It has no pole, both sides being
+  polynomials, and takes $[0,1]$ to itself, because $P_1$ is in one point twice only finitely often: $\phi(t)=t$ or $\phi(t)=1-t$.  The first makes the lengths
+  equal.  By the second $Q_0=Q_1$, and each tangent is opposite to that of the other end of the first curve, so that one direction at each end makes all
+  parallel.  Where a motion takes one arc to the other, the same holds of the moved curve: by the first the lengths are equal, by the second exchanged.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | The two cubics, each run once, so correspond to each other.
 :meant: the heading of the part, on the forms of parametric cubics | Both curves are parametric cubics, and the lengths are not the same at one end

@@ -243,10 +243,10 @@ CLAIM(differences_by_alternating_sums)
 :::{statement} hu-1987:1-4-3-places
 :title: The place of the differences with the index 1
 :zh: 下标 1 的差分所在参数
-:printed: $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at $t=i\delta$, and $P_1=P_0+\Delta P_0$.
+:printed: The differences at $t=0$ and $t=i\delta$ are $P_0,\Delta P_0,\Delta^2P_0,\Delta^3P_0$ and $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$; then $P_1=P_0+\Delta P_0$.
 :refuted-by: step_from_zero_reaches_one_step_only
 :class: misprint
-:corrected: $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at $t=\delta$.
+:corrected: $P_1,\Delta P_1,\Delta^2P_1,\Delta^3P_1$ are the differences at $t=\delta$; then $P_1=P_0+\Delta P_0$.
 :corrected-by: printed_lines_step_a_cubic
 :confirmed-by: step_takes_differences_to_the_next_place additions_step_along_the_curve
 :figure: forward_differences

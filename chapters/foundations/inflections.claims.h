@@ -124,10 +124,11 @@ CLAIM(curvature_divides_by_zero_at_a_cusp)
 :class: misprint
 :corrected: $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, where $\dot s=|\dot P|$ is the speed, at points with $\dot P\ne0$
 :corrected-by: curvature_by_the_vector_product curvature_belongs_to_arc_length
-:meant: the letter, and the formula of the torsion below it, where a dot is lost, too: $\ddot P$ for the third derivative | $s$ is the length of the arc, and a dot
+:meant: the letter, and the formula of the torsion in the same part, where a dot is lost, too: $\ddot P$ for the third derivative | $s$ is the length of the arc, and a dot
   over it is missing.
-:reading: printed_letter_spoils_the_curvature | $s$ is the length of the arc
-:reading: curvature_by_the_vector_product | $s=|\dot P|$ is the speed, at points with $\dot P\ne0$; the source leaves the others out behind the formula, for $\ddot P=g\dot P$
+:reading: printed_letter_spoils_the_curvature | the quotient is the curvature, $s$ being the length of the arc
+:reading: curvature_by_the_vector_product | the quotient is the curvature, $s=|\dot P|$ being the speed, at points with $\dot P\ne0$; the source leaves the others out behind
+  the formula, for $\ddot P=g\dot P$
 :reading-with: curvature_belongs_to_arc_length
 :hypothesis: curvature_divides_by_zero_at_a_cusp | $\dot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: curvature_and_the_speed

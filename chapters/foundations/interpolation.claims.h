@@ -143,7 +143,8 @@ The plainest description needs neither: a curve can be kept as many points, join
 :printed: In geometric design curves and surfaces can be represented by point sets, and a curve be approximated by a polyline of small
   pieces.  The disadvantages: it takes much memory, is mathematically inconvenient, and the shape is not easily controlled.
 :reading: polyline_of_a_parabola_needs_many_points | it takes much memory: a polyline with its corners on a parabola needs the more pieces
-  the less it may err, $N$ pieces on $y=x^2$ over $[0,1]$ err by $\frac1{4N^2}$ at least, and three coefficients keep the parabola exactly
+  the less it may err, $N$ pieces on $y=x^2$ over $[0,1]$ err by $\frac1{4N^2}$ at least, measured upright, and three coefficients keep the parabola
+  exactly
 :reading: how much is much, what is inconvenient and what not easy: opinions, which no computation decides
 :figure: through_and_near
 :::

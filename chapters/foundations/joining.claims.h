@@ -165,7 +165,8 @@ CLAIM(joined_pieces_are_not_closed)
 :where: $\lambda>0$
 :then: $S(u)=P_{\mathrm{II}}(\phi(u))$ with $\phi(u)=\frac u\lambda-\frac\beta{2\lambda^3}u^2$ has $S(0)=P$, $S'(0)=P'$, $S''(0)=P''$
 :method: $S$ is formed as a polynomial in $u$ from the cubic $P_{\mathrm{II}}$; its derivatives at 0 are compared, everything a
-  variable.  A further term of $P_{\mathrm{II}}$ has the factor $\phi^3$, so $u^3$, and changes none of them.
+  variable.  A further term of $P_{\mathrm{II}}$ has the factor $\phi^3$, so $u^3$, and changes none of them.  As $\phi(0)=0$ and $\phi'(0)=\frac1\lambda>0$, $\phi$ is a
+  change of the parameter near the joint.
 :types: field
 :over: p#: points; v# w# z#: derivatives; l: λ; b: β; u
 :control: $\phi(u)=\frac u\lambda$
@@ -274,31 +275,48 @@ CLAIM(negative_ratio_turns_back)
 :title: At a singular end of a straight piece no positive ratio satisfies the condition
 :zh: 奇异端点处条件失效
 :kind: counterexample
-:given: two pieces of one straight line without any corner, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, and two others, $R_{\mathrm I}$ and $R_{\mathrm{II}}$, by
-  their coefficients of $1,t,t^2,\dots$
+:given: two pieces that run forward along the $x$-axis and meet, $P_{\mathrm I}$ and $P_{\mathrm{II}}$, and two others, $R_{\mathrm I}$ and
+  $R_{\mathrm{II}}$, by their coefficients of $1,t,t^2,\dots$
 :data: P_I = (-1,0) (2,0) (-1,0); P_II = (0,0) (1,0) (0,0); R_I = (-1,0) (1,0) (0,0); R_II = (0,0) (0,0) (1,0)
 :instead: P_I = (-1,0) (1,0) (0,0); R_II = (0,0) (1,0) (0,0)
 :then: $\dot P_{\mathrm I}(1)$ is 0, and $\dot P_{\mathrm{II}}(0)$ is no multiple of it; and $\dot R_{\mathrm{II}}(0)$ is 0, so that it is a multiple of
-  $\dot R_{\mathrm I}(1)$ with the factor 0 only
+  $\dot R_{\mathrm I}(1)$ with the factor 0 only; yet there is no corner, $y=0$ and $x'>0$ on $(0,1)$ for every piece
 :result: P_I'(1) = (0,0); P_II'(0) = (1,0); R_I'(1) = (1,0); R_II'(0) = (0,0)
-:method: The derivatives by the kernel.
+:method: The points and derivatives at the joint by the kernel; the sign of $x'$ on $(0,1)$, exactly.
 :control: every piece with its natural parameter
 :::
 */
+/* Whether the curve runs forward along this axis: the derivative of its coordinate is positive on (0,1), that of the other 0. */
+static int runs_forward(int degree, const num c[], int axis)
+{
+    num along[MAX_DEGREE + 1];
+    int straight = 1;
+    for (int k = 0; k <= degree; k++) {
+        along[k] = c[dim * k + axis];
+        straight &= k == 0 || is_zero_q(c[dim * k + 1 - axis]);
+    }
+    poly speed = poly_derivative(poly_from_q(degree + 1, along));
+    return straight && sign_on(speed, from_int(0), from_int(1), OPEN) == SIGN_POSITIVE;
+}
+
 CLAIM(singular_end_has_no_ratio)
 {
     static const char *const piece[4] = {"P_I", "P_II", "R_I", "R_II"}, *const slope[4] = {"P_I'(1)", "P_II'(0)",
                                                                                            "R_I'(1)", "R_II'(0)"};
     num c[6], D[4][4];
+    int forward = 1;
     for (int k = 0; k < 4; k++) {
         given_points(T, piece[k], 3, 2, c);
+        forward &= runs_forward(2, c, 0);
         G(power_derivatives)(2, dim, c, from_int(k % 2 == 0), 1, D[k]);
     }
     for (int k = 0; k < 4; k++)
         found_points(T, slope[k], 1, 2, D[k] + dim);
     int no_ratio = is_zero_q(D[0][2]) && !is_zero_q(D[1][2]), ratio_is_zero = !is_zero_q(D[2][2]) && is_zero_q(D[3][2]);
-    about(T, "whether P' of a second piece is a multiple of that of the first, with a factor that is not 0");
-    refute(T, no_ratio && ratio_is_zero);
+    int joined = same_point(D[0], D[1]) && same_point(D[2], D[3]);
+    about(T, "there being no corner, whether P' of a second piece is a multiple of that of the first, with a factor "
+             "that is not 0");
+    refute(T, forward && joined && no_ratio && ratio_is_zero);
 }
 #endif
 
@@ -327,13 +345,16 @@ Decided is that the condition suffices.
 :::{statement} hu-1987:1-5-3-beta
 :title: The factor of the tangent is free
 :zh: β 为任意标量
-:printed: $\beta$ is an arbitrary scalar.
+:printed: In (1-5-3) $\beta$ is an arbitrary scalar.
 :holds-by: condition_keeps_the_curvature_vector curvature_vector_is_the_turning_of_the_tangent
 :needs: zero_ratio_has_unbounded_curvature | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\lambda\ne0$; as
   for a quotient of lengths of vectors with directions: with $\alpha_2=0$ the curvature of the second piece need not be bounded.
 :needs: vanishing_derivatives_hide_a_jump_of_curvature | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector.
 :figure: joints_of_order
+
+With II for the printed index $x$, (1-5-3) is $\ddot P_{\mathrm{II}}(0)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$, where
+$\dot P_{\mathrm{II}}(0)=\lambda\,\dot P_{\mathrm I}(1)$ by (1-5-2).
 :::
 
 :::{claim} condition_keeps_the_curvature_vector
@@ -452,7 +473,7 @@ static int conditions_hold(const num D[], const num E[], num lambda, num beta)
   $\lambda$ and $\beta$
 :data: P_I = (0,0) (1,0); P_II = (1,0) (0,0) (1,0) (0,1) (0,0); λ = 0; β = 2
 :instead: P_II = (1,0) (0,0) (1,0) (0,0) (0,1)
-:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second $t^2K^2$ has a limit that is not 0 with $t\to0$
+:then: (1-5-1) to (1-5-3) hold and $K=0$ on the first piece; on the second the limit of $t^2K^2$ for $t\to0$ is not 0
 :result: P_I, P_I', P_I'' = (1,0) (1,0) (0,0); P_II, P_II', P_II'' = (1,0) (0,0) (2,0); P_II' × P_II'' = "6*t^2"; limit of t²K² = 9/16
 :method: The conditions by the kernel.  With $P'=t\,U$ and $P'\times P''=t^2v$, divided as polynomials, $t^2K^2=v^2/|U|^6$; that it is 0
   at $t=0$, as for a bounded $K$, is refuted.
@@ -511,7 +532,7 @@ CLAIM(zero_ratio_has_unbounded_curvature)
   $1,t,t^2,\dots$; $\lambda$ and $\beta$
 :data: P_I = (-1,0) (3,0) (-3,0) (1,0); P_II = (0,0) (0,0) (0,0) (1,0) (0,0) (0,0) (0,1); λ = 1; β = 0
 :instead: P_II = (0,0) (0,0) (0,0) (1,0) (0,0) (0,0) (0,0)
-:then: (1-5-1) to (1-5-3) hold, every vector in them being 0; $K=0$ on the first piece, and on the second $K^2$ has a limit that is not 0 with $t\to0$
+:then: (1-5-1) to (1-5-3) hold, every vector in them being 0; $K=0$ on the first piece, and on the second the limit of $K^2$ for $t\to0$ is not 0
 :result: P_I, P_I', P_I'' = (0,0) (0,0) (0,0); P_II, P_II', P_II'' = (0,0) (0,0) (0,0); P_II' × P_II'' = "54*t^6"; limit of K² = 4
 :method: The conditions by the kernel; the first piece has $y=0$.  With $P'=t^2U$ and $P'\times P''=t^6v$, divided as polynomials, $K^2=v^2/|U|^6$; that it is 0 at
   $t=0$, as on the first piece, is refuted.
@@ -556,18 +577,6 @@ CLAIM(vanishing_derivatives_hide_a_jump_of_curvature)
 :control: a second piece along the $x$-axis
 :::
 */
-/* Whether the cubic runs forward along this axis: the derivative of its coordinate is positive on (0,1), that of the other 0. */
-static int runs_forward(const num c[], int axis)
-{
-    num along[4];
-    int straight = 1;
-    for (int k = 0; k < 4; k++) {
-        along[k] = c[dim * k + axis];
-        straight &= k == 0 || is_zero_q(c[dim * k + 1 - axis]);
-    }
-    return straight && sign_on(poly_derivative(poly_from_q(4, along)), from_int(0), from_int(1), OPEN) == SIGN_POSITIVE;
-}
-
 CLAIM(vanishing_derivatives_hide_a_corner)
 {
     num first[8], second[8], D[6], E[6];
@@ -579,7 +588,7 @@ CLAIM(vanishing_derivatives_hide_a_corner)
     found_points(T, "P_I, P_I', P_I''", 3, 2, D);
     found_points(T, "P_II, P_II', P_II''", 3, 2, E);
     about(T, "the conditions holding, whether there is no right angle between the pieces");
-    refute(T, conditions_hold(D, E, lambda, beta) && runs_forward(first, 0) && runs_forward(second, 1));
+    refute(T, conditions_hold(D, E, lambda, beta) && runs_forward(3, first, 0) && runs_forward(3, second, 1));
 }
 
 /*
@@ -590,7 +599,7 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :::{statement} hu-1987:1-5-3-necessary
 :title: For a continuous curvature the condition has to be satisfied
 :zh: 曲率连续的必要性
-:printed: The curvature $K$ is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
+:printed: The curvature is to vary continuously at the joint, so the condition (1-5-3) has to be satisfied.
 :refuted-by: equal_curvatures_to_different_sides
 :class: false
 :corrected: Let $\dot P_{\mathrm I}(1)\ne0$ and $\dot P_{\mathrm{II}}(0)\ne0$.  The conditions (1-5-2) and (1-5-3), with one $\lambda>0$ and some $\beta$, are together
@@ -601,12 +610,14 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :confirmed-by: signed_curvature_is_the_turning_of_the_tangent
 :needs: vanishing_derivatives_hide_a_corner | (1-5-2), with unit tangent vectors and lengths of tangent vectors | $\dot P_{\mathrm
   I}(1)\ne0$; as where there is a unit tangent vector: without it the conditions of the correction do not suffice.
+:needs: singular_end_has_no_ratio | (1-5-2), with unit tangent vectors of both pieces | $\dot P_{\mathrm{II}}(0)\ne0$; as where there is a unit tangent vector: without
+  it the unit tangent may be continuous although there is no $\lambda>0$, as with $R_{\mathrm I}$ and $R_{\mathrm{II}}$.
 :meant: the formula of section 1-4, by which the curvature is a number without a sign | The curvature is $K$.
-:reading: equal_curvatures_to_different_sides | the curvature is $K$
-:reading: curvature_vector_forces_the_condition | it is the vector of curvature
+:reading: equal_curvatures_to_different_sides | where the curvature $K$ is continuous, (1-5-3) holds
+:reading: curvature_vector_forces_the_condition | where the unit tangent and the vector of curvature are continuous, (1-5-3) holds with some $\beta$
 :reading-with: equal_unit_tangents_fix_the_ratio second_derivative_splits_along_the_first curvature_vector_is_the_turning_of_the_tangent
-:reading: signed_curvature_is_that_of_the_vector | in the plane it is the curvature with its sign, which with one unit tangent is continuous exactly where the vector is,
-  so that this is reading 2
+:reading: signed_curvature_is_that_of_the_vector | in the plane, where the unit tangent and the curvature with its sign are continuous, (1-5-3) holds with some $\beta$,
+  because then the vector of curvature is continuous, too
 :reading-with: equal_unit_tangents_fix_the_ratio curvature_vector_forces_the_condition second_derivative_splits_along_the_first
   curvature_vector_is_the_turning_of_the_tangent
 :needs: negative_ratio_turns_back | (1-5-2), where $\lambda$ is the quotient of the lengths of tangent vectors | $\lambda>0$; as for a quotient of lengths.
@@ -614,6 +625,9 @@ secures is more: the vector of curvature (曲率矢量), which knows to which si
 :striking: 43
 
 $K=|\dot P\times\ddot P|/\dot s^3$ has no sign and no direction: it can be continuous where the curve changes its side.
+
+With II for the printed index $x$, (1-5-2) is $\dot P_{\mathrm{II}}(0)=\lambda\,\dot P_{\mathrm I}(1)$, and (1-5-3) is
+$\ddot P_{\mathrm{II}}(0)=\lambda^2\ddot P_{\mathrm I}(1)+\beta\dot P_{\mathrm I}(1)$.
 :::
 
 :::{claim} equal_curvatures_to_different_sides

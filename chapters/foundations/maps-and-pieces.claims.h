@@ -26,8 +26,8 @@ its values; section 1-2 has moved control points, which is another thing.
   The curve (1-2-1) is parametric, and section 1-2 says of it that it depends on the coordinates.
 :figure: two_cubes_and_their_image
 
-As a vector function a polynomial curve is mapped to $P(t)\,T+m$, which is one of the same kind, whatever its coefficients are.  With a rotation $T$ its
-derivatives are $P'(t)\,T$, $P''(t)\,T$, $P'''(t)\,T$, so that what their products say does not depend on the coordinates: speed, curvature and torsion.
+As a vector function a polynomial curve is mapped to $P(t)\,T+m$, which is one of the same kind, whatever its coefficients are.  A change of coordinates is a rotation $T$ and a
+translation $m$.  Then the derivatives are $P'(t)\,T$, $P''(t)\,T$, $P'''(t)\,T$, so that what their products say does not depend on the coordinates: speed, curvature and torsion.
 :::
 
 :::{claim} image_of_a_power_curve_is_one
@@ -133,11 +133,12 @@ CLAIM(projective_image_of_a_power_curve_is_rational)
 :title: The projective images of the control points are not control points of the image
 :zh: 射影变换不保持多项式曲线
 :kind: counterexample
-:given: the parabola $P$ with the Bézier points $R$, the map $(x,y)\mapsto(\frac x{1+y},\frac y{1+y})$, and $t$
+:given: the parabola $P$ with the Bézier points $R$, $x=2t-t^2$, $y=t^2$, so that $y=\bigl(\frac{x+y}2\bigr)^2$; the map $(x,y)\mapsto(\frac x{1+y},\frac y{1+y})$, and $t$
 :data: R = (0,0) (1,0) (1,1); t = 1/2
-:then: the image of $P(t)$ is not the point $Q(t)$ of the polynomial curve of the three images
-:result: images of R = (0,0) (1,0) (1/2,1/2); image of P(t) = (3/5,1/5); Q(t) = (5/8,1/8)
-:method: Both points, exactly; with the control, the rational curve whose weights are the values $1+y$ of the points.
+:then: the image of $P(t)$ is not the point $Q(t)$ of the polynomial curve of the three images; and $Q(t)$ is the image of $Z$, which is not on the
+  parabola, so that the two curves are not the same with another parameter
+:result: images of R = (0,0) (1,0) (1/2,1/2); image of P(t) = (3/5,1/5); Q(t) = (5/8,1/8); Z = (5/7,1/7)
+:method: Both points, exactly, and $Z$ by the inverse map $(x,y)\mapsto(\frac x{1-y},\frac y{1-y})$; with the control, the rational curve whose weights are the values $1+y$ of the points.
 :control: the weights $1+y$ for the images
 :::
 */
@@ -159,6 +160,10 @@ CLAIM(projective_image_is_not_the_curve_of_the_images)
     found_points(T, "images of R", 3, 2, images);
     found_points(T, "image of P(t)", 1, 2, image);
     found_points(T, "Q(t)", 1, 2, Q);
+    num Z[2] = {div(Q[0], sub(one, Q[1])), div(Q[1], sub(one, Q[1]))};
+    found_points(T, "Z", 1, 2, Z);
+    about(T, "y and the square of (x + y)/2 at Z");
+    same(T, Z[1], G(power)(mul(from_ratio(1, 2), add(Z[0], Z[1])), 2));
     about(T, "the coordinates of the curve of the images, and of the image of the curve");
     for (int j = 0; j < dim; j++)
         same(T, Q[j], image[j]);
@@ -180,6 +185,7 @@ them.
   shape and raising the degree of the curve, or by keeping the shape and dividing the curve.
 :reading: bernstein_raised_by_one_degree | the degree of a polynomial curve can be raised, and the shape is kept: the curve is a sum of Bernstein polynomials $B_i^n(t)$ with points
   as factors, and each is a combination of two of degree $n+1$
+:reading-with: powers_in_every_degree
 :reading: piece_of_a_sum_of_powers_is_one | a polynomial curve can be divided, and the shape is kept
 :reading: what the power to describe is, and by how much it is raised: the source does not say, so that nothing is there to be decided
 :confirmed-by: triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power elevation_keeps_bezier_curve split_gives_the_two_parts division_keeps_power_curve
@@ -248,9 +254,9 @@ CLAIM(piece_of_a_sum_of_powers_is_one)
   sign_changes_are_counted_one_by_one
 :confirmed-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
 
-Bézier curves of every degree are such curves: their points are averages of the control points, and along a line $ax+by+c=0$
+Bézier curves of every degree are such curves: their points, $0\le t\le1$, are averages of the control points, and along a line $ax+by+c=0$
 the coefficients are $ax_i+by_i+c$, whose changes of sign are the crossings of the polygon.  The polynomial whose roots are counted is the value of $ax+by+c$ along
-the curve; it is 0 when the curve is on the line.
+the curve; it is 0 for every $t$ when the curve is on the line.
 :::
 */
 #include "chapters/judge/claims_off.h"

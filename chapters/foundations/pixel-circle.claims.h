@@ -42,8 +42,9 @@ radii that a screen has the two are nearly the same; for the smallest ones they 
 :corrected-by: distance_of_the_first_two_points
 :confirmed-by: distance_of_the_third_way_tends_to_a_pixel rotated_points_are_equally_spaced
 :meant: the words, the distance of the two points (二点之间的距离), with nothing added | The distance along a straight line.
-:reading: unit_height_is_not_unit_distance | the distance along a straight line
-:reading: larger_difference_is_the_height | the distance in the rows and columns of a screen, the larger of the two differences of the coordinates
+:reading: unit_height_is_not_unit_distance | with $y_1=1$ the two points are one pixel apart along a straight line
+:reading: larger_difference_is_the_height | with $y_1=1$ the two points are one pixel apart in the rows and columns of a screen, where the distance is the larger of the two
+  differences of the coordinates
 :figure: step_of_the_third_way
 
 For $0<\theta<\frac\pi2$ and $r\sin\theta=1$ the square of the distance is between 1 and $1+\frac1{r^2}$: `distance_of_the_third_way_tends_to_a_pixel`.
@@ -179,12 +180,13 @@ and the positive root.
 :printed: From $y_1=r\sin\theta=1$: $\sin\theta=\frac1r$, so $\theta=\sin^{-1}\frac1r$.
 :holds-by: third_matrix_by_the_radius
 :confirmed-by: distance_of_the_first_two_points
-:needs: negative_cosine_is_not_the_root | the words before it, that the two points are to be one pixel apart; for an obtuse angle they are more than $\sqrt2$ pixels apart |
+:needs: negative_cosine_is_not_the_root | the words before it, that the two points are to be one pixel apart: with $y_1=1$ their distance is not exactly 1, but at most $\sqrt2$ for these angles, and more for an
+    obtuse one |
     $0<\theta\le\frac\pi2$
 :figure: step_of_the_third_way
 
-With $r\sin\theta=1$ the square of the distance of the two points is $1+\tan^2\frac\theta2$, by `distance_of_the_first_two_points`; for an obtuse angle, whose
-half has a tangent greater than 1, that is more than 2.
+With $r\sin\theta=1$ the square of the distance of the two points is $1+\tan^2\frac\theta2$, by `distance_of_the_first_two_points`; half of an obtuse angle has
+a tangent greater than 1, so that this is more than 2, and otherwise it is at most 2.
 :::
 
 :::{statement} hu-1987:1-3-third-matrix

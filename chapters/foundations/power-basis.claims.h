@@ -140,11 +140,14 @@ first at which it changes its side within the plane.  Lines have to be excepted,
 :corrected: Three is the lowest degree of the polynomial curves that leave every plane, and of the plane ones that are no lines and have an inflection.
 :corrected-by: quadratics_are_plane_and_turn_to_one_side cubics_leave_the_plane_and_inflect
 :meant: the words, curves given by polynomials, with nothing added | All polynomial curves that are in use.
-:reading: quadratic_curve_is_in_use | of all polynomial curves that are in use
-:reading: quadratics_are_plane_and_turn_to_one_side | of those that leave every plane, or are no lines and have an inflection: of a lower degree there are none
+:reading: quadratic_curve_is_in_use | three is the lowest degree of all polynomial curves that are in use
+:reading: quadratics_are_plane_and_turn_to_one_side | three is the lowest degree of polynomial curves that leave every plane, and of plane ones that are no
+  lines and have an inflection
+:reading-with: cubics_leave_the_plane_and_inflect
 :figure: degrees_two_and_three
 
-The table of contents of the source has a section on uniform quadratic and cubic B-spline surfaces (§ 6-2).
+The table of contents of the source has a section on uniform quadratic and cubic B-spline surfaces (§ 6-2); the parameter lines of a quadratic one are curves of
+pieces of degree 2.  Lines are excepted in the correction, as their curvature is 0 everywhere.
 :::
 
 :::{claim} quadratic_curve_is_in_use
@@ -184,7 +187,8 @@ CLAIM(quadratic_curve_is_in_use)
 :given: any $P(t)=c_0+c_1t+c_2t^2$ in space, any $t$
 :then: $P'\times P''=2\,c_1\times c_2$ does not depend on $t$, and $(c_1\times c_2)\cdot(P(t)-c_0)=0$
 :method: The derivatives by the kernel, everything a variable.  $c_1\times c_2=0$ makes $P(t)-c_0$ a multiple of one vector, so the curve
-  is on a line.
+  is on a line; otherwise $c_1\times c_2$ is the normal of a plane that has the curve, and $P'\times P''$ is nowhere 0.
+:scope: degree at most 2
 :over: x# y# z#: coefficients
 :control: a coefficient $c_3$ added
 :::
@@ -248,9 +252,9 @@ CLAIM(lines_of_lower_degree_have_curvature_zero)
 :given: a cubic in space and one in the plane, with the coefficients $S$ and $P$, and two parameters $t$ between 0 and 1
 :data: S = (0,0,0) (1,0,0) (0,1,0) (0,0,1); P = (0,-1) (1,6) (0,-12) (0,8); t = 1/3 2/3
 :instead: S = (0,0,0) (1,0,0) (0,1,1) (0,0,0); P = (0,0) (1,0) (0,1) (0,0)
-:then: the determinant $(S',S'',S''')$ is not 0; $P'\times P''$ changes its sign between the two, and $P'\ne0$ everywhere, as $x=t$
+:then: the determinant $(S',S'',S''')$ is not 0; $P'\times P''$ changes its sign between the two, and $P'\ne0$ everywhere, as $x'=1$
 :result: (S',S'',S''') = 12; P' × P''(t) = -8 8
-:method: The kernels, at the two parameters; the determinant of a cubic does not depend on $t$.
+:method: The kernels, at the two parameters; the determinant of a cubic does not depend on $t$.  That $x'=1$ is read from the coefficients of $x$.
 :control: coefficients of degree 2
 :::
 */
@@ -270,6 +274,7 @@ CLAIM(cubics_leave_the_plane_and_inflect)
     found_points(T, "P' × P''(t)", 2, 1, sides);
     agree(T, !is_zero_q(volume));
     agree(T, sign_q(sides[0]) < 0 && sign_q(sides[1]) > 0);
+    agree(T, equal_q(plane[2], from_int(1)) && is_zero_q(plane[4]) && is_zero_q(plane[6])); /* x' = 1 */
 }
 #endif
 
@@ -352,8 +357,8 @@ The same step keeps a bound, so that over the unit interval a polynomial is neve
 :harmless: $-M\le q\le M$ and $-C\le c\le C$ | $M$ is the bound of the polynomial of one degree less, $C$ the absolute value of $c$
 :harmless: $0\le t\le1$ | the interval of the statement
 :then: $-(M+C)\le tq+c\le M+C$
-:method: $M-q$, $M+q$, $C-c$, $C+c$ are variables, which are positive, and $M+C-(tq+c)=(1-t)M+t(M-q)+(C-c)$, likewise with the other sign; signs of coefficients for
-  $t=\frac s{1+s}$, $s>0$, and once more at $t=0$ and $t=1$.  A constant
+:method: $M-q$, $M+q$, $C-c$, $C+c$ are each a positive variable or 0, in every combination, and $M+C-(tq+c)=(1-t)M+t(M-q)+(C-c)$, likewise with the other sign; signs of
+  coefficients for $t=\frac s{1+s}$, $s>0$, and once more at $t=0$ and $t=1$.  A constant
   $c_n$ has the bound $|c_n|$, and a polynomial is built from it by $p\mapsto tp+c_k$: so by induction $|p(t)|\le\sum_k|c_k|$ for every degree.
 :degrees: all
 :over: a b d e: -; s: -
@@ -363,17 +368,24 @@ The same step keeps a bound, so that over the unit interval a polynomial is neve
 */
 CLAIM(one_factor_and_one_term_keep_a_bound)
 {
-    num a = positive(T, "a", 0), b = positive(T, "b", 0), d = positive(T, "d", 0), e = positive(T, "e", 0);
-    num two = from_int(2), M = div(add(a, b), two), q = div(sub(b, a), two); /* M - q = a, M + q = b */
-    num C = div(add(d, e), two), c = div(sub(e, d), two);                    /* C - c = d, C + c = e */
-    num t[3] = {inside(T, "s"), from_int(0), from_int(1)}, bound = add(M, C);
-    for (int k = 0; k < 3; k++) {
+    static const char *const name[] = {"a", "b", "d", "e"};
+    num room[4], two = from_int(2), t[3] = {inside(T, "s"), from_int(0), from_int(1)};
+    for (int i = 0; i < 4; i++)
+        room[i] = positive(T, name[i], 0);
+    for (int run = 0; run < 16 * 3; run++) { /* which of the four are 0, and which t */
+        int k = run % 3;
+        num r[4];
+        for (int i = 0; i < 4; i++)
+            r[i] = run / 3 >> i & 1 ? from_int(0) : room[i];
+        num a = r[0], b = r[1], d = r[2], e = r[3];
+        num M = div(add(a, b), two), q = div(sub(b, a), two);                    /* M - q = a, M + q = b */
+        num C = div(add(d, e), two), c = div(sub(e, d), two), bound = add(M, C); /* C - c = d, C + c = e */
         num value = add(mul(t[k], q), c), kept = mul(sub(from_int(1), fault(T, t[k], from_int(1))), M);
         for (int sign = -1; sign <= 1; sign += 2) {
-            num room = add(bound, mul(from_int(sign), value));
+            num left = add(bound, mul(from_int(sign), value));
             about(T, sign < 0 ? "below the bound" : "above the bound with the other sign");
-            nonnegative(T, room);
-            same(T, room, add(kept, add(mul(t[k], sign < 0 ? a : b), sign < 0 ? d : e)));
+            nonnegative(T, left);
+            same(T, left, add(kept, add(mul(t[k], sign < 0 ? a : b), sign < 0 ? d : e)));
         }
     }
 }

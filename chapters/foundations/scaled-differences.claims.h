@@ -23,9 +23,9 @@ step, which makes them as large as the coefficients, and begins the table with t
 :holds-by: third_difference_loses_three_bytes
 :meant: the next sentence, which takes $1/\delta$, $1/\delta^2$ and $1/\delta^3$ times the differences, which are then
   of the size of the coefficients | Against the coefficients of the curve these differences are small, the third as well.
-:reading: third_difference_loses_three_bytes | those of order 4 and more: they are 0
-:reading: third_difference_loses_three_bytes | from the third on, against the coefficients: $6A/2^{24}$
-:reading: third_difference_exceeds_the_first | from the third on, against the differences before it
+:reading: third_difference_loses_three_bytes | the differences of order 4 and more are small: they are 0
+:reading: third_difference_loses_three_bytes | the differences from the third on are small against the coefficients: $\Delta^3P_0=6A/2^{24}$, and the further ones are 0
+:reading: third_difference_exceeds_the_first | the differences from the third on are small against those before the third
 :figure: forward_differences
 :::
 
@@ -206,7 +206,7 @@ CLAIM(step_multiplies_by_a_square_matrix)
 :holds-by: step_costs_additions_only table_costs_shifts_and_additions rows_by_shifts_are_the_table printed_divided_lines_step_a_cubic
   step_takes_differences_to_the_next_place table_after_any_number_of_steps table_is_whole_in_units_of_the_cube
 :confirmed-by: stepping_reaches_the_other_end stepping_is_exact_for_short_coefficients
-:meant: the words before the table, with shifts and additions only, and thereby (从而) at high speed | High speed is: with shifts and additions
+:meant: the sentence before the differences of (1-4-1), by which shifts and additions are enough, and thereby (从而) the speed is high | High speed is: with shifts and additions
   in the place of products.
 :hypothesis: short_words_lose_the_end | the machine's words are long enough: a shift that drops bits is no product, and the curve would be another one.  With $3m$ binary
   places behind the point more than the coefficients have, and room before it, they hold every row exactly.  Words with 8 places may lose the end.

@@ -161,7 +161,7 @@ CLAIM(two_cubes_begin_and_end_at_their_points)
 :::{claim} two_cubes_from_the_origin_trace_the_segment
 :title: With one point at the origin the example is the segment
 :zh: 一点为原点时得直线段
-:given: $P_0=(0,0)$, any $P_1$, any $t$; $s\ge0$, $d>0$
+:given: $P(t)=(1-t)^3P_0+t^3P_1$ with $P_0=(0,0)$, any $P_1$, any $t$; $s\ge0$, $d>0$
 :then: $P(t)=P_0+t^3(P_1-P_0)$, $P(0)=P_0$, $P(1)=P_1$; $t^3$ runs from 0 to 1 and never back, since $(s+d)^3-s^3=d\,(3s^2+3sd+d^2)>0$ for $s\ge0$,
   $d>0$: so the curve is the segment, once
 :method: Identities in $t$ and $P_1$, of which $(10,10)$ is one value, and in $s$ and $d$; what comes out has positive coefficients only, that of $d^3$ among
@@ -211,7 +211,8 @@ where this triangle shrinks to a line.  In the printed example the origin is $P_
 :figure: two_cubes_and_their_image
 
 The conclusion is true for the printed points with the printed functions.  It does not follow from the four values: not for these functions with
-other points, and not for these points with other functions.
+other points, and not for these points with other functions.  With these points every $P(t)$ is on the line through both because $P_0$ is
+the origin, so that $P(t)=A_1(t)P_1$; the four values are not the reason.
 :::
 */
 
@@ -373,8 +374,8 @@ origin, and that is what the formula draws.
 :given: the printed coordinates $P$ and $P^*$ of the two points
 :data: P = (0,0) (10,10); P* = (-3,-2) (7,8)
 :instead: P* = (-3,-2) (7,6)
-:then: $P_i-P_i^*$ is the same for both points: a translation, which moves the origin to $O^*$ and keeps the directions of the axes, makes the ones
-  of the others
+:then: $P_i-P_i^*$ is the same for both points: a translation, which moves the origin to $O^*$ and keeps the directions of the axes, makes the new
+  coordinates of the old ones
 :result: O* = (3,2)
 :method: Both differences, in integers.
 :control: another ordinate of $P_1^*$
@@ -418,7 +419,7 @@ No part of it is straight: $P'\times P''$ is 0 at $P_0^*$ and $P_1^*$ only.
 :title: The curve of the example in the new coordinates turns to one side all the way
 :zh: 新坐标系中曲线处处弯曲
 :kind: decision
-:given: the points $P^*$ of the source
+:given: the points $P_0^*=(-3,-2)$ and $P_1^*=(7,8)$ of the source, and their curve $P(t)=(1-t)^3P_0^*+t^3P_1^*$
 :data: P* = (-3,-2) (7,8)
 :instead: P* = (0,0) (7,8)
 :then: $P'\times P''$ has no zero in $(0,1)$, and zeros at 0 and 1
@@ -488,13 +489,13 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 :zh: 式 1-2-1 不满足坐标独立性
 :printed: (1-2-1) does not satisfy the condition of coordinate independence, that is, of the invariance of shape, so that it is not proper to
   describe shapes by it.
-:meant: the words behind (1-2-1), let $A_0(t)=(1-t)^3$, $A_1(t)=t^3$ | (1-2-1) with these two functions.
+:meant: the words behind (1-2-1), let $A_0(t)=(1-t)^3$, $A_1(t)=t^3$ | (1-2-1), $P(t)=A_0(t)P_0+A_1(t)P_1$, with these two functions, $A_0(t)=(1-t)^3$ and $A_1(t)=t^3$.
 :holds-by: two_cubes_from_the_origin_trace_the_segment image_of_the_example_turns_everywhere new_coordinates_are_a_translation
 :confirmed-by: image_of_the_example_is_not_the_translated_curve translation_adds_the_sum_of_the_functions matrices_pass_to_the_points
 :figure: two_cubes_and_their_image
 
-For the source's own points and translation the curve is a segment in the one system and, in the other, an arc that turns everywhere: the shape
-is another.
+For the source's own points and translation the curve is a segment in the one system and, in the other, an arc of which no part is straight: the
+shape is another.
 :::
 
 :::{claim} image_of_the_example_is_not_the_translated_curve
@@ -627,8 +628,9 @@ The first step has $P^*(t)=P(t)\,T$, the second that the shape is kept: no lengt
 :given: the rotation $T$ of the quaternion $h$ with the four numbers $h_0,h_1,h_2,h_3$, not all 0, $v\mapsto hvh^{-1}$; any two vectors $v$, $w$ of space, from point to point
 :then: $(vT)\cdot(wT)=v\cdot w$ and $(vT)\times(wT)=(v\times w)\,T$, hence $\bigl((uT)\times(vT)\bigr)\cdot(wT)=(u\times v)\cdot w$ too; and with $a=(h_1,h_2,h_3)$ there is $aT=a$, and for $p=a\times v$,
   any vector perpendicular to $a$, $p\cdot(pT)=\frac{h_0^2-|a|^2}{|h|^2}|p|^2$ and $p\times(pT)=\frac{2h_0}{|h|^2}|p|^2\,a$
-:method: Identities in the four numbers and the six coordinates; the third follows by the first for $u\times v$ and $w$.  The last three say that $T$ is the rotation
-  about the axis $a$ by the angle whose half has the tangent $\frac{|a|}{h_0}$; any axis and any angle can be chosen so, and every rotation about the origin is of this kind.
+:method: Identities in the four numbers and the six coordinates; the third follows by the first for $u\times v$ and $w$.  The last three say that $T$ is, for
+  $a\ne0$, the rotation about the axis $a$ by the angle with the cosine $\frac{h_0^2-|a|^2}{|h|^2}$ and the sine $\frac{2h_0|a|}{|h|^2}$; any axis and any angle can be chosen
+  so, and every rotation about the origin is of this kind.
 :over: h#: rotations; v# w#: points
 :control: $T$ without the divisor $|h|^2$
 :::

@@ -61,7 +61,7 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
 :::{statement} hu-1987:1-3-second-difference-equations
 :title: The difference equations of the ellipse
 :zh: 椭圆的差分方程
-:printed: The step can be described by the difference equations of an ellipse: with $x_n=r\cos\theta$, $y_n=r\sin(\theta+\frac{\Delta\theta}2)$, $\varepsilon=2\sin\frac{\Delta\theta}2$:
+:printed: The step of the second way can be described by the difference equations of an ellipse: with $x_n=r\cos\theta$, $y_n=r\sin(\theta+\frac{\Delta\theta}2)$, $\varepsilon=2\sin\frac{\Delta\theta}2$:
   $x_{n+1}=r\cos(\theta+\Delta\theta)=r\cos\theta-2r\sin\frac{\Delta\theta}2\sin(\theta+\frac{\Delta\theta}2)=x_n-\varepsilon y_n$,
   $y_{n+1}=r\sin(\theta+\Delta\theta+\frac{\Delta\theta}2)=r\sin(\theta+\frac{\Delta\theta}2)+2r\sin\frac{\Delta\theta}2\cos(\theta+\Delta\theta)=y_n+\varepsilon
   x_{n+1}$
@@ -74,8 +74,9 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
 :::{claim} second_orbit_has_equal_angles
 :title: Along the orbit of the second way an angle grows evenly
 :zh: 第二种方法的等角参数
-:given: any $r$, $\theta$ and $\delta=\frac{\Delta\theta}2$, by the directions $(a_0,a_1)$ and $(b_0,b_1)$ of their halves
-:then: the step $T$ with $\varepsilon=2\sin\delta$ takes $(r\cos\theta,r\sin(\theta+\delta))$ to
+:given: any $r$, $\theta$ and $\delta=\frac{\Delta\theta}2$, by the directions $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ of the halves of $\theta$ and $\delta$
+:harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
+:then: with $\varepsilon=2\sin\delta$ the step $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=y_n+\varepsilon x_{n+1}$ takes $(r\cos\theta,r\sin(\theta+\delta))$ to
   $(r\cos(\theta+2\delta),r\sin(\theta+3\delta))$, and the middle terms of both chains are equal to the outer ones
 :method: All sums of angles from the directions of their halves, as $(a_0b_0-a_1b_1,\,a_0b_1+a_1b_0)$ for $\theta+\delta$; the five numbers are variables.
 :over: a# b#: angles; r: radius
@@ -169,7 +170,7 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
 :::{statement} hu-1987:1-3-ellipse
 :title: The equation of the ellipse
 :zh: 椭圆方程
-:printed: Without $\theta$, and with $x$, $y$ for $x_{n+1}$, $y_{n+1}$, there is the equation of an ellipse, $\frac{x^2}{(r\cos\frac{\Delta\theta}2)^2}+\frac{y^2}{(r\cos\frac{\Delta\theta}2)^2}-\frac{2\sin\frac{\Delta\theta}2}{(r\cos\frac{\Delta\theta}2)^2}\,xy=1$
+:printed: The difference equations of the second way, without $\theta$ and with $x$, $y$ for $x_{n+1}$, $y_{n+1}$, become the equation of an ellipse, $\frac{x^2}{(r\cos\frac{\Delta\theta}2)^2}+\frac{y^2}{(r\cos\frac{\Delta\theta}2)^2}-\frac{2\sin\frac{\Delta\theta}2}{(r\cos\frac{\Delta\theta}2)^2}\,xy=1$
 :holds-by: second_orbit_satisfies_the_printed_equation second_form_is_invariant second_form_is_an_ellipse
 :figure: ellipse_of_the_second_way
 :::
@@ -202,7 +203,7 @@ CLAIM(second_orbit_satisfies_the_printed_equation)
 :::{claim} second_form_is_invariant
 :title: A quadratic form is the same along the orbit
 :zh: 不变二次型
-:given: any point $P_n$, any $\varepsilon$, one step of the second way
+:given: any point $P_n$, any $\varepsilon$; the step of the second way, $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=y_n+\varepsilon x_{n+1}$
 :then: $x_{n+1}^2+y_{n+1}^2-\varepsilon x_{n+1}y_{n+1}=x_n^2+y_n^2-\varepsilon x_ny_n$; so it is the same for all $n$
 :method: One step, with the point and $\varepsilon$ variables; then induction.
 :scope: every number of steps
@@ -261,9 +262,9 @@ of second order, and both are half the sine to first order.
 :holds-by: ellipse_lies_between_two_circles
 :confirmed-by: inward_error_of_the_ellipse_is_larger
 :meant: the formula itself, in which $\cos\frac{\Delta\theta}2\big/\sqrt{1-\sin\frac{\Delta\theta}2}$ is the largest radius of the ellipse over $r$ | The
-  error is counted outwards, relative to $r$.
-:reading: ellipse_lies_between_two_circles | the largest distance outwards
-:reading: ellipse_leaves_the_circle_by_more | the largest distance of all, outwards or inwards
+  error is counted outwards, relative to the radius $r$ of the circle.
+:reading: ellipse_lies_between_two_circles | the error is the largest distance outwards
+:reading: ellipse_leaves_the_circle_by_more | the error is the largest distance of all, outwards or inwards
 :figure: ellipse_of_the_second_way
 
 With $s=\sin\frac{\Delta\theta}2$ the ellipse is between the radii $r\sqrt{1-s}$ and $r\sqrt{1+s}$.  Inwards the error is $1-\sqrt{1-s}$, and for every $s$

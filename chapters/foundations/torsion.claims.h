@@ -15,7 +15,8 @@ torsion is a single number, which vanishes exactly when the cubic is plane.
 :printed: \tau=\frac{[\dot P\,\ddot P\,\ddot P]}{s^3K^2}
 :refuted-by: printed_vectors_have_no_torsion
 :class: misprint
-:corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$
+:corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, at points with
+  $\dot P\times\ddot P\ne0$
 :corrected-by: torsion_by_speed_and_curvature torsion_belongs_to_arc_length
 :hypothesis: torsion_divides_by_zero_at_an_inflection | $\dot P\times\ddot P\ne0$: in the correction; elsewhere it is divided by 0
 :figure: derivatives_with_lost_dots
@@ -124,10 +125,11 @@ curve has to be taken at a place where it is not; there one sees that the sixth 
 :printed: \tau=\frac{[\dot P\,\ddot P\,\ddot P]}{s^3K^2}
 :refuted-by: printed_power_spoils_the_torsion
 :class: misprint
-:corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$
+:corrected: $\tau=\frac{[\dot P\,\ddot P\,\dddot P]}{\dot s^6K^2}$, where $\dot s=|\dot P|$ is the speed and $K=\frac{|\dot P\times\ddot P|}{\dot s^3}$, at points with
+  $\dot P\times\ddot P\ne0$
 :corrected-by: torsion_by_speed_and_curvature torsion_belongs_to_arc_length
 :hypothesis: torsion_divides_by_zero_at_an_inflection | $\dot P\times\ddot P\ne0$: in the correction; elsewhere it is divided by 0
-:meant: the curvature put right, `1-4-curvature`, and the third derivative $6A$ at the end of the chain behind the formula | $\dddot P$ stands in the last
+:meant: the formula of the curvature, in which $s$ stands for $\dot s$, too, and the third derivative $6A$ at the end of the chain behind the formula | $\dddot P$ stands in the last
   place and $\dot s$ below, so that the power alone is tried.
 :figure: torsion_and_the_speed
 :::

@@ -315,6 +315,7 @@ That is why a second kind of continuity is defined, by the one parameter that be
 :zh: G0 与 C0 一致
 :printed: Geometric continuity of order zero is the same as parametric continuity of order zero.
 :holds-by: end_of_a_curve_has_no_parameter
+:argued: every curve | The point at the end is $P(\phi(0))=P(0)$ for any function $P$.
 :confirmed-by: position_has_no_parameter
 :::
 */

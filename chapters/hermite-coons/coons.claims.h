@@ -21,7 +21,7 @@ altogether.  It is short, and has to be learnt: $0w_u$ is a derivative across th
 :title: Borders, tangents, derivatives across them and twists
 :zh: 边界线、切向量、跨界切向量与扭曲向量
 :definition: yes
-:printed: $P(u,w)$, $0\le u,w\le1$: the borders $u0,u1,0w,1w$; the derivatives $uw_u$, $uw_w$, $uw_{uu}$, $uw_{uw}$, $uw_{ww}$ of the
+:printed: $P(u,w)$, written $uw$, $0\le u,w\le1$: the borders $u0,u1,0w,1w$; the derivatives $uw_u$, $uw_w$, $uw_{uu}$, $uw_{uw}$, $uw_{ww}$ of the
   surface; along the border $u0$ the tangent $u0_u$, the derivative across it $u0_w$, and $u0_{uu}$, $u0_{ww}$; at the corners the points
   $00,01,10,11$ and the twists $00_{uw},01_{uw},10_{uw},11_{uw}$
 :checked-by: tensor_kernel_is_the_matrix_product
@@ -40,12 +40,10 @@ The surface of sixteen vectors has them as its points, tangents and twists at th
 :needs: blendings_without_end_values_lose_the_border | the conditions printed with the functions | the blending functions have
   the printed values at the ends: without them the borders are lost
 :needs: blendings_without_sum_one_move_the_patch | the conditions printed with the functions | the blending functions have the
-  sum 1: with it the patch $P_1+P_2-P_3$ moves with its frame of four curves, without it this need not be so
-:needs: blendings_without_sum_one_bend_a_ruling | the conditions printed with the functions | the blending functions have the
-  sum 1: with it the curves of $P_1$ and $P_2$ between opposite borders stay on the line of two points, without it they need not
+  sum 1: with it the patch of four border curves moves with them, without it this need not be so
 :figure: boolean_sum
 
-The end values keep the borders, the sum lets the surface move with its frame; that the functions are continuous is not used.
+The end values keep the borders, the sum lets the surface move with its four curves; that the functions are continuous is not used.
 :::
 */
 
@@ -251,7 +249,7 @@ CLAIM(linear_interpolation_runs_along_straight_lines)
 /*
 
 :::{statement} slides-ch4:3-sum-of-ruled
-:title: The sum of the ruled surfaces is moved from the frame by an interpolation of the corners
+:title: The sum of the ruled surfaces is moved from the four borders by an interpolation of the corners
 :zh: 叠加曲面 Ps 的位移
 :printed: For any point of $P_s=P_1+P_2$ one part of the displacement is due to the linear interpolation and one to the border curves; to remove
   the former a new surface $P_3$ is built.
@@ -350,7 +348,7 @@ only that they meet at the corners; the condition $f_0+f_1=1$ is needed for some
 :figure: boolean_sum
 
 In the text at hand the sums of products have no signs; with those shown here the patch has the borders.
-The other condition printed with the functions, $f_0+f_1=1$, is not needed for the borders.  It makes the patch move with its frame.
+The other condition printed with the functions, $f_0+f_1=1$, is not needed for the borders.  It makes the patch move with its four curves.
 :::
 
 :::{statement} slides-ch4:3-corner-points
@@ -372,7 +370,7 @@ The other condition printed with the functions, $f_0+f_1=1$, is not needed for t
   of the curves at the corners
 :then: in the place $(k,l)$ of $M$, a point or with $m=4$ a tangent or a twist of a corner, the patch has $A_k+B_l-M_{kl}$ with the data $A_k$ of $0w,1w,0w_u,1w_u$
   and $B_l$ of $u0,u1,u0_w,u1_w$; if both are one vector $c$ it is $2c-M_{kl}$, which is $c$, and $M_{kl}$, exactly where $M_{kl}=c$
-:method: The kernel with rows of the unit matrix for both parameters, for each entry; everything a variable.
+:method: The kernel with rows of the unit matrix for both parameters, for each entry; everything a variable, each coordinate by itself.
 :over: m#: corners; x# y#: border curves
 :control: the matrix of the corners transposed
 :::
@@ -401,7 +399,7 @@ CLAIM(corner_of_the_patch_is_two_ends_less_an_entry)
 :zh: Coons 曲面的分块矩阵形式
 :given: any values of the blending functions, any data across, along and at the corners, $m=2$ and $m=4$
 :then: `coons_patch` is $-[-1\;a]\begin{bmatrix}0&B\\A&M\end{bmatrix}\begin{bmatrix}-1\\b\end{bmatrix}$, which is the printed sum
-:method: The bordered matrix of $m+1$ rows is formed and multiplied out; everything variable.
+:method: The bordered matrix of $m+1$ rows is formed and multiplied out; everything variable, each coordinate by itself.
 :defines: coons_patch
 :over: a# b#: blending functions; x# y#: border data; m#: corner data
 :control: the matrix of the corners transposed
@@ -598,7 +596,9 @@ in more than the corners: from each of two borders the corner inherits a mixed d
 :zh: 具有指定跨界切向量的曲面片
 :printed: $P=q(u)\,[0w\;1w\;0w_u\;1w_u]^T+[u0\;u1\;u0_w\;u1_w]\,q(w)^T-q(u)\,M\,q(w)^T$,
   $q=[q_{00}\;q_{01}\;q_{10}\;q_{11}]$, $M=\begin{bmatrix}00&01&00_w&01_w\\10&11&10_w&11_w\\00_u&01_u&00_{uw}&01_{uw}\\10_u&11_u&10_{uw}&11_{uw}\end{bmatrix}$, has the four borders and the
-  four derivatives across; for $u=0$ the right side is $0w$, and its derivative with respect to $u$ is $0w_u$
+  four derivatives across; for $u=0$ the right side is
+  $0w+(00\,q_{00}(w)+01\,q_{01}(w)+00_wq_{10}(w)+01_wq_{11}(w))-(00\,q_{00}(w)+01\,q_{01}(w)+00_wq_{10}(w)+01_wq_{11}(w))=0w$, and its derivative with respect to $u$ is
+  $[0\;0\;1\;0]\,[0w\;1w\;0w_u\;1w_u]^T+[00_u\;01_u\;00_{uw}\;01_{uw}]\,q(w)^T-[0\;0\;1\;0]\,M\,q(w)^T=0w_u$
 :holds-by: coons_kernel_is_the_bordered_product borders_and_cross_derivatives_are_kept unit_functions_are_dual_to_the_data
 :hypothesis: two_points_cannot_both_be_kept | the curves meet at the corners
 :hypothesis: two_tangents_cannot_both_be_kept | at the corners the derivatives across the borders are the tangents of the other borders
@@ -628,7 +628,7 @@ In the text at hand the sums of products have no signs; with those shown here th
   values and derivatives of the unit matrix
 :then: on all four borders the value of the patch and its derivative across are the given ones
 :method: At $u=0$ and $u=1$ the values and the derivatives of the four functions are rows of the unit matrix, and what
-  runs across has its values and derivatives in $M$; at $w=0$ and $w=1$ the same, run as well.  No other property is used.
+  runs across has its values and derivatives in $M$; at $w=0$ and $w=1$ the same, run as well.  No other property is used.  Each coordinate is computed by itself.
 :over: m#: corner data; x#: border data; f#: blending functions
 :control: one twist differs between the curve and $M$
 :::

@@ -26,7 +26,7 @@ serves for existence and uniqueness, the system being square.
 :title: In general the interpolating polynomial is of a high degree
 :zh: 一般 Hermite 插值多项式次数较高
 :printed: for the general problem the interpolating polynomial is in general of a rather high degree, and inconvenient to use
-:reading: one_more_datum_determines_one_more_coefficient | its degree grows with the data, over different nodes: it is one less than their number, unless the
+:reading: one_more_datum_determines_one_more_coefficient | over different nodes the degree of the polynomial is one less than the number of the data, unless the
   polynomial of the other data has the last datum already
 :reading-with: a_factor_raises_the_order_of_a_zero
 :confirmed-by: hermite_interpolant_exists_and_is_unique

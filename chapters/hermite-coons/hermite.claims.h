@@ -548,7 +548,7 @@ shown here are true.  For $\varphi$ it has the letter $f$, with a mark that is l
 :harmless: $t_0<t_1$ | the identities are those of two different nodes, in any order
 :then: $u=\frac{t-t_0}{t_1-t_0}$, which runs from 0 to 1 while $t$ runs from $t_0$ to $t_1$; the printed functions of $t$ are those of $u$ in all three forms, in factors, in powers and as the columns of the $4\times4$ matrix, and the sum with the derivatives times $t_1-t_0$ is the
   interpolating cubic; as a function of $u$ it has at $u=0$ and $u=1$ the values $f(t_0)$, $f(t_1)$ and the derivatives $f'(t_0)(t_1-t_0)$, $f'(t_1)(t_1-t_0)$
-:method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.
+:method: The functions of $t$ multiplied out, the others evaluated as printed; everything variable.  Of points and vectors each coordinate is computed by itself.
 :over: t# h#: different nodes; f#: data
 :control: the derivatives not multiplied by the length
 :::
@@ -592,9 +592,12 @@ CLAIM(unit_blending_functions)
 :::{statement} slides-ch4:2-matrix
 :title: The cubic as a product of matrices
 :zh: 三次 Hermite 曲线的矩阵形式
-:printed: P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}\varphi(0)\\\varphi(1)\\\varphi'(0)\\\varphi'(1)\end{bmatrix}
+:printed: $P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}\varphi(0)\\\varphi(1)\\\varphi'(0)\\\varphi'(1)\end{bmatrix}$, which is
+  the row $[q_{00}(u)\;q_{01}(u)\;q_{10}(u)\;q_{11}(u)]=[2u^3-3u^2+1,\;-2u^3+3u^2,\;u^3-2u^2+u,\;u^3-u^2]$ times the same column
 :holds-by: unit_blending_functions
 :confirmed-by: one_choice_of_signs_in_the_matrix
+:needs: equal_ends_have_no_cubic | the problem, which is posed on an interval $[t_0,t_1]$ | $t_0\ne t_1$: $u=\frac{t-t_0}{t_1-t_0}$ divides by $t_1-t_0$, and at equal ends none or infinitely many cubics have the data
+:meant: the arguments 0 and 1 in the place of $t_0$ and $t_1$ | $\varphi$ is the polynomial as a function of $u$.
 :figure: hermite_blending_functions
 
 In the text at hand the column has the letter $f$, with a mark that is lost, for $\varphi$, and the matrix has no signs; of all choices of them the one shown is the only true one: `one_choice_of_signs_in_the_matrix`.
@@ -674,11 +677,12 @@ data with their blending functions.
 :::{statement} slides-ch4:2-worked-curve
 :title: The worked curve
 :zh: 三次 Hermite 曲线算例
-:printed: $P_0=(1,1)$, $P_1=(4,2)$, $P_0'=(1,1)$, $P_1'=(1,-1)$: $x(u)=-4u^3+6u^2+u+1$, $y(u)=-2u^3+2u^2+u+1$
+:printed: $P(u)=[u^3\;u^2\;u\;1]\begin{bmatrix}2&-2&1&1\\-3&3&-2&-1\\0&0&1&0\\1&0&0&0\end{bmatrix}\begin{bmatrix}1&1\\4&2\\1&1\\1&-1\end{bmatrix}=[u^3\;u^2\;u\;1]\begin{bmatrix}-4&-2\\6&2\\1&1\\1&1\end{bmatrix}$
+  for $P_0=(1,1)$, $P_1=(4,2)$, $P_0'=(1,1)$, $P_1'=(1,-1)$: $x(u)=-4u^3+6u^2+u+1$, $y(u)=-2u^3+2u^2+u+1$
 :holds-by: worked_hermite_curve
 :figure: worked_hermite_curve
 
-In the text at hand the coefficients have no signs, and the tangents no primes; of all choices of signs of the coefficients the one shown is the only one that has the
+In the text at hand the matrices and coefficients have no signs, and the tangents no primes; of all choices of signs of the coefficients the one shown is the only one that has the
 data.
 :::
 
@@ -690,7 +694,7 @@ data.
 :instead: y, y' = 1 2 1 1
 :given: the data of the example, coordinate by coordinate: the values at the two ends and then the derivatives there; the coefficients that are printed,
   that of $u^3$ first, with all $2^8$ choices of their signs
-:then: exactly one choice has the data, the printed one, and it is what `hermite_cubic` gives
+:then: exactly one choice has the data, the printed one, and it is what `hermite_cubic` and the product of the $4\times4$ matrix with the data give
 :method: Values and derivatives at 0 and 1, which determine a cubic because their determinant is not 0; all choices in integers as
   well; the kernel at as many parameters as determine a cubic.
 :control: the second tangent goes up
@@ -708,6 +712,12 @@ CLAIM(worked_hermite_curve)
         for (int k = 0; k < 4; k++)
             data[k] = (int)to_double_q(four[k]), size[k] = (int)to_double_q(c[k]);
         only_these_have_the_data(T, size, data);
+        for (int i = 0; i < 4; i++) {
+            num sum = from_int(0);
+            for (int k = 0; k < 4; k++)
+                sum = add(sum, mul(from_int(G(printed_matrix)(i, k)), four[k]));
+            same(T, sum, c[i]);
+        }
         for (int signs = 0; signs < 1 << 4; signs++) {
             int chosen[4];
             for (int k = 0; k < 4; k++)

@@ -346,7 +346,7 @@ The rest of the list says what is gained.  Most items are properties of Bézier 
 :zh: 直线段的参数表示
 :printed: $P(t)=P_1+(P_2-P_1)t=(1-t)P_1+tP_2$, $0\le t\le1$; $x(t)=x_1+(x_2-x_1)t$, $y(t)=y_1+(y_2-y_1)t$
 :holds-by: segment_in_its_parameter
-:needs: curve_leaves_hull_outside_the_interval | the range beside the formula | $0\le t\le1$: beyond, it is
+:needs: curve_leaves_hull_outside_the_interval | the range beside the formula | $0\le t\le1$: beyond, where $P_1\ne P_2$, it is
   a point of the line and not of the segment
 :::
 
@@ -472,8 +472,7 @@ this cubic has, too: `nodal_cubic_has_an_equation`.
   their number is not limited, so that it is easy to take curves and surfaces from a space of few dimensions to one of more.
 :reading: matrices_pass_to_the_points | curves and surfaces can be taken from a plane to space: whatever third coordinates the points get, the curve of the plane, or the surface if the functions have two parameters, stays what the first two are, as the
   matrix that leaves the third one out shows
-:reading: another_coordinate_changes_no_other | a curve can be taken from any number of coordinates to one more: it keeps those that it has | Each coordinate of the curve is a sum of its own, of the same
-  functions times this coordinate of the points.  So it is for every degree and any number of coordinates, and for surfaces with functions of two parameters; of these nothing was computed.
+:reading: another_coordinate_changes_no_other | a curve can be taken from any number of coordinates to one more: it keeps those that it has
 :reading: what is easy, when variables are completely separated, and which variables besides the coordinates have a number without limit: the slides do not say, so that nothing is there to be decided
 :::
 
@@ -485,6 +484,7 @@ this cubic has, too: `nodal_cubic_has_an_equation`.
 :method: The kernel in $d$ and in $d+1$ dimensions, everything a variable.
 :degrees: 1..6 sampled 10
 :scope: 1 to 5 coordinates
+:argued: every degree and any number of coordinates | Each coordinate of the curve is a sum of its own, of the same functions times this coordinate of the points, whatever the others are.
 :over: x#: points
 :control: the last coordinate in the place of the one before
 :::
@@ -523,7 +523,7 @@ CLAIM(another_coordinate_changes_no_other)
 :zh: 规格化参数使几何分量有界
 :printed: With $t\in[0,1]$ the coordinates are bounded, and no further parameters are needed to mark the border.
 :holds-by: one_factor_and_one_term_keep_a_bound
-:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends
+:confirmed-by: bernstein_positive_inside bernstein_sums_to_one bernstein_at_ends range_of_parameters_marks_a_part
 :argued: a second parameter | The coefficients of a polynomial of two parameters are polynomials of the second one, and have their bounds by the same claim: so the sum of the absolute values of
   all coefficients is a bound for $0\le u,w\le1$.
 :hypothesis: quotient_with_a_pole_is_unbounded | the functions are polynomials: quotients of polynomials may have a pole in $[0,1]$
@@ -649,7 +649,11 @@ CLAIM(triangle_of_parameters_is_no_rectangle)
 :printed: With $t\in[0,1]$ curves and surfaces are conveniently described piece by piece, and smooth joints are easy to make.
 :reading: triangle_of_powers_consists_of_powers | a curve of any degree is cut into curves of the same degree over $[0,1]$
 :reading-with: bernstein_sum_of_powers_is_a_power
-:reading: surface_part_is_the_piece | a surface is cut into surfaces of the same degrees over $0\le u,w\le1$
+:reading: triangle_of_powers_consists_of_powers | a surface is cut into surfaces of the same degrees over $0\le u,w\le1$ | For a fixed $w$ the surface is a curve of the parameter $u$, whose
+  points are those of the rows of the net at $w$; the points of its part are sums of multiples of these, with factors in which there is no $w$, so that they are the rows of a net at $w$, too.  Then $w$ is cut in the same way.  With weights all this is said of the
+  weights, and of the points times their weights.
+:reading-with: bernstein_sum_of_powers_is_a_power
+:confirmed-by: surface_part_is_the_piece
 :reading: derivatives_go_down_through_the_differences | of a curve the derivatives of any order at the ends are multiples of differences of the points next to them, so that points can be chosen for a smooth joint
 :reading-with: bernstein_derivative
 :reading: derivatives_go_down_through_the_differences | of a surface the derivatives across an edge are multiples of differences of the rows of points next to it | For a fixed $w$ the surface is a curve of the parameter $u$, whose points are those of the rows

@@ -55,7 +55,8 @@ In the text at hand the formulas have no signs and no primes; with those shown h
 :given: nodes $t_0<\dots<t_n$, any data, any $t$
 :then: on each of the $n$ intervals the sum of the $2n+2$ terms is what `hermite_cubic` gives for four data; at each node its value
   and derivative are the data, from both sides
-:method: The functions $a_{i,j}$ as printed, with the lengths, interval by interval, all $2n+2$ summed as polynomials; everything variable.
+:method: The functions $a_{i,j}$ as printed, with the lengths, interval by interval, all $2n+2$ summed as polynomials; everything variable.  Of points and
+  vectors each coordinate is computed by itself.
 :degrees: intervals = 1..4 sampled 8
 :over: t# h#: increasing nodes; f# d#: data; p: t
 :control: in $a_{0,1}$ the function of the other end
@@ -377,8 +378,8 @@ In the text at hand the formula has no signs and no primes; with those shown her
 :zh: 单段端点切向量的缩放
 :printed: where $P_i=P(t_i)=f(t_i)$, $P_{i+1}=P(t_{i+1})=f(t_{i+1})$, $P_i'=f'(t_i)(t_{i+1}-t_i)$, $P_{i+1}'=f'(t_{i+1})(t_{i+1}-t_i)$
 :holds-by: unit_blending_functions
-:needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: $u$
-  is a quotient by $t_{i+1}-t_i$
+:needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: the parameter
+  $u=\frac{t-t_i}{t_{i+1}-t_i}$ of the unit interval is a quotient by $t_{i+1}-t_i$
 :meant: the word "where" (其中) below the formula of the piece $P_i(u)$ | The vectors $P_i'$ and $P_{i+1}'$ are those of the one piece over $[t_i,t_{i+1}]$.
 :reading: unit_blending_functions | the vectors of one piece
 :reading: one_scaled_tangent_for_two_pieces_makes_a_jump | one vector $P_i'$ for both pieces that meet at $t_i$

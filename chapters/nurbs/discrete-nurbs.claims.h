@@ -32,8 +32,8 @@ begin with $\alpha_{i,1}(j)=1$ for $t_i\le t'_j<t_{i+1}$, $t'_j$ the knots of $T
   `notation-order`.
 :figure: nurbs_polygons_converge
 
-For $T'=\Phi$, nothing inserted, it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
-$i=j$ and $0$ otherwise.  For which $T$ and $T'$ all vertices exist is the matter of `formula-4.1.6`.
+For $T'=\Phi$, nothing inserted, and knots that are at most $k$-fold it is the control polygon, and $\alpha_{i,k}(j)$ is $1$ for
+$i=j$ and $0$ otherwise; where $t_j=t_{j+k}<t_{n+k}$ the point $r_j$, which has no share in the curve, gives way to another.  For which $T$ and $T'$ all vertices exist is the matter of `formula-4.1.6`.
 :::
 */
 

@@ -19,10 +19,12 @@ of the curve and the curve does not jump, and then with the square of the larges
   $\lim_{m\to\infty}\Gamma_k^{(T)}(T_m')=r_k(t)$ (4.1.10)
 :holds-by: greville_abscissae_are_the_identity basis_is_a_partition_of_unity greville_defect_is_a_variance
   gaps_bound_the_defect second_differences_are_averaged quotient_is_near_if_the_spline_is
-:hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k<t_{k+1}$: so the polygon begins with the curve; otherwise $r_1$ may keep its distance, and where $t_1<t_{k+1}$ it is a
+:hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k$: so the polygon begins with the curve; otherwise $r_1$ may keep its distance, and where $t_1<t_{k+1}$ it is a
   vertex of every polygon, whatever is inserted, as of the $\alpha_{i,k}(1)$ only $\alpha_{1,k}(1)$ is not $0$
-:hypothesis: simple_end_keeps_the_last_vertex | $t_n<t_{n+1}=t_{n+k-1}$: so the polygon ends with the curve; otherwise $r_n$ may keep its distance, and where $t_n<t_{n+k}$ it is a
+:hypothesis: idle_start_keeps_the_first_vertex | $t_k<t_{k+1}$: otherwise $r_1$, which then has no share in the curve, may keep its distance, too
+:hypothesis: simple_end_keeps_the_last_vertex | the knots $t_{n+1},\dots,t_{n+k-1}$ are equal: so the polygon ends with the curve; otherwise $r_n$ may keep its distance, and where $t_n<t_{n+k}$ it is a
   vertex of every polygon, as of the $\alpha_{i,k}(j)$ of the last point $j$ only $\alpha_{n,k}(j)$ is not $0$
+:hypothesis: idle_end_keeps_the_last_vertex | the interval $[t_n,t_{n+1})$ is not empty: otherwise $r_n$, which then has no share in the curve, may keep its distance, too
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide: otherwise every
   polygon, whatever is inserted, keeps the edge over which the curve jumps
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
@@ -37,7 +39,7 @@ of the curve and the curve does not jump, and then with the square of the larges
 :figure: nurbs_polygons_converge
 :striking: 42
 
-For $k=2$ there is nothing to be decided: the curve is its polygon, and every refined polygon is the same polyline.
+For $k=2$ there is nothing to be decided: under these hypotheses the curve is its polygon, and with knots inserted inside the domain every refined polygon is the same polyline.
 :::
 
 :::{statement} wang-ch4:remark-4.1.1-convergence
@@ -49,8 +51,10 @@ For $k=2$ there is nothing to be decided: the curve is its polygon, and every re
 :needs: negative_weight_makes_a_pole | definition 4.1.1: $w_i>0$ | the weights are positive
 :hypothesis: knot_at_an_outer_end_has_no_shares | the knots of the $T_m'$ are in $(t_1,t_{n+k})$, or at $t_1$ where $t_1=t_k$: for (4.1.6)
 :hypothesis: knots_on_one_side_do_not_converge | the knots become dense in the domain, the largest gap $h_m\to0$
-:hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k<t_{k+1}$: so the polygon begins with the curve
-:hypothesis: simple_end_keeps_the_last_vertex | $t_n<t_{n+1}=t_{n+k-1}$: so the polygon ends with the curve
+:hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k$: so the polygon begins with the curve
+:hypothesis: idle_start_keeps_the_first_vertex | $t_k<t_{k+1}$: so $r_1$ has a share in the curve
+:hypothesis: simple_end_keeps_the_last_vertex | the knots $t_{n+1},\dots,t_{n+k-1}$ are equal: so the polygon ends with the curve
+:hypothesis: idle_end_keeps_the_last_vertex | the interval $[t_n,t_{n+1})$ is not empty: so $r_n$ has a share in the curve
 :hypothesis: polygons_keep_the_edge_over_a_jump | no knot inside the domain is $k$-fold or more, or the points there coincide
 :meant: definition 4.1.1, which says what the polygon is, and section 2.10 | The whole polygon, so that its ends count, too; the $\alpha$ of (4.1.6) with intervals
   closed on the left, see `formula-4.1.6`.
@@ -481,17 +485,21 @@ One end that is not that of the curve is enough, whatever the other is.
 :control: a twofold knot at the beginning of the domain, too
 :::
 */
-/* Whether the first or the last vertex of one of the refinements is not outside the strip of the Bézier points. */
-static int G(end_vertex_comes_near)(trial *T, int last)
+/* Whether the first or the last vertex of one of the refinements is not outside the strip of the Bézier points of the first or the
+ * last segment of the given curve of n points. */
+static int G(end_vertex_comes_near)(trial *T, int n, int last)
 {
-    enum { p = 2, n = 3, count = n + p + 1, dim = 2 };
-    num u[count], R[n * dim], w[n], bezier[n * dim], S[dim * MOST_KNOTS], z[MOST_KNOTS];
+    enum { p = 2, dim = 2 };
+    num u[MOST_KNOTS], R[dim * MOST_KNOTS], w[MOST_KNOTS], bezier[dim * (p + 1)], S[dim * MOST_KNOTS], z[MOST_KNOTS];
     const num *vertex = S;
+    int count = n + p + 1, mu = last ? n - 1 : p;
     given_points(T, "T", count, 1, u);
     given_points(T, "r", n, dim, R);
     given_points(T, "w", n, 1, w);
     int most = given_whole(T, "M"), near = 0;
-    G(bspline_to_bezier)(G(on_span)(p, dim, u, p, R), bezier);
+    while (equal_q(u[mu], u[mu + 1]))
+        mu += last ? -1 : 1;
+    G(bspline_to_bezier)(G(on_span)(p, dim, u, mu, R), bezier);
     for (int m = 1; m <= most; m++) {
         struct G(refinement) r;
         G(halve_gaps)(p, count, u, m, &r);
@@ -500,14 +508,14 @@ static int G(end_vertex_comes_near)(trial *T, int last)
         int side = sign_q(sub(vertex[0], bezier[last ? dim * p : 0]));
         near += last ? side <= 0 : side >= 0;
     }
-    found_points(T, "b", n, dim, bezier);
+    found_points(T, "b", p + 1, dim, bezier);
     found_points(T, "the vertex", 1, dim, vertex);
     about(T, last ? "whether the last vertex is not right of the curve, for one of the refinements"
                   : "whether the first vertex is not left of the curve, for one of the refinements");
     return near > 0;
 }
 
-CLAIM(simple_start_keeps_the_first_vertex) { agree(T, G(end_vertex_comes_near)(T, 0)); }
+CLAIM(simple_start_keeps_the_first_vertex) { agree(T, G(end_vertex_comes_near)(T, 3, 0)); }
 
 /*
 :::{claim} simple_end_keeps_the_last_vertex
@@ -524,7 +532,43 @@ CLAIM(simple_start_keeps_the_first_vertex) { agree(T, G(end_vertex_comes_near)(T
 :control: a twofold knot at the end of the domain, too
 :::
 */
-CLAIM(simple_end_keeps_the_last_vertex) { agree(T, G(end_vertex_comes_near)(T, 1)); }
+CLAIM(simple_end_keeps_the_last_vertex) { agree(T, G(end_vertex_comes_near)(T, 3, 1)); }
+
+/*
+A point without a share in the curve is a vertex all the same.
+
+:::{claim} idle_start_keeps_the_first_vertex
+:title: Where the knot at which the domain begins is repeated inside, the first vertex may stay off the curve
+:zh: 左端节点在域内重复时首顶点可始终不动
+:kind: counterexample
+:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$, with $t_2=t_3=t_4$, whose domain is $[t_3,t_5]$ and whose polygon ends with
+  the curve; $T_m'$ halves every gap $m$ times, $m=1,\dots,M$
+:data: T = -1 0 0 0 1 1 1; r = (-1,0) (0,0) (1,2) (2,0); w = 1 1 1 1; M = 3
+:instead: T = -1 0 0 1/2 1 1 1
+:then: the first vertex is $r_1$ for each of these $m$, while the curve, in the hull of its Bézier points $b$, is not to the left of $b_0$
+:result: b = (0,0) (1,2) (2,0); the vertex = (-1,0)
+:method: (4.1.6) by its letter.
+:control: the last of the three equal knots moved to the right
+:::
+*/
+CLAIM(idle_start_keeps_the_first_vertex) { agree(T, G(end_vertex_comes_near)(T, 4, 0)); }
+
+/*
+:::{claim} idle_end_keeps_the_last_vertex
+:title: Where the knot at which the domain ends is repeated inside, the last vertex may stay off the curve
+:zh: 右端节点在域内重复时末顶点可始终不动
+:kind: counterexample
+:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$, with $t_4=t_5=t_6$, whose domain is $[t_3,t_5]$ and whose polygon begins with
+  the curve; $T_m'$ halves every gap $m$ times, $m=1,\dots,M$
+:data: T = 0 0 0 1 1 1 2; r = (0,0) (1,2) (2,0) (3,0); w = 1 1 1 1; M = 3
+:instead: T = 0 0 0 1/2 1 1 2
+:then: the last vertex is $r_4$ for each of these $m$, while the curve, in the hull of its Bézier points $b$, is not to the right of $b_2$
+:result: b = (0,0) (1,2) (2,0); the vertex = (3,0)
+:method: (4.1.6) by its letter.
+:control: the first of the three equal knots moved to the left
+:::
+*/
+CLAIM(idle_end_keeps_the_last_vertex) { agree(T, G(end_vertex_comes_near)(T, 4, 1)); }
 
 /*
 :::{claim} knots_on_one_side_do_not_converge

@@ -418,9 +418,11 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :hypothesis: knot_of_full_multiplicity_tears_the_curve | no knot inside the domain has multiplicity $k$ or more, or the points
   there coincide; else the polygons converge to the curve
   together with the segment over which it jumps
-:hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k<t_{k+1}$: so the polygon begins with the curve, as for corollary 4.1.1, (4.1.10) being the limit of the
-  whole polygon; else $A$ may have more than the curve, as here a vertex to the left of it
-:hypothesis: simple_end_keeps_the_last_vertex | $t_n<t_{n+1}=t_{n+k-1}$: so the polygon ends with the curve; else $A$ may have a vertex to the right of it
+:hypothesis: simple_start_keeps_the_first_vertex | $t_2=t_k$: so the polygon begins with the curve, as for corollary 4.1.1, (4.1.10) being the limit of the whole
+  polygon; else $A$ may have more than the curve, as here a vertex to the left of it
+:hypothesis: idle_start_keeps_the_first_vertex | $t_k<t_{k+1}$: else $r_1$ may have no share in the curve
+:hypothesis: simple_end_keeps_the_last_vertex | the knots $t_{n+1},\dots,t_{n+k-1}$ are equal: so the polygon ends with the curve; else $A$ may have a vertex to the right of it
+:hypothesis: idle_end_keeps_the_last_vertex | the interval $[t_n,t_{n+1})$ is not empty: else $r_n$ may have no share in the curve
 :hypothesis: curve_of_a_polygon_that_turns_back_is_not_convex | the polygon runs through its points once: as for the theorem; else
   the $A$ of a refined polygon need not exist
 :needs: mixed_weights_bend_both_ways | definition 4.1.1: $w_i>0$ | the weights are positive

@@ -360,37 +360,44 @@ CLAIM(end_is_in_no_interval)
 :control: all weights positive
 :::
 */
-/* Refutes for the given quadratic segment: if the last weight of the levels is not 0, then w_2^[1] is not 0. */
-static void weight_of_the_first_level(trial *T)
+/* Refutes for the first segment of the given quadratic curve of n points: if the last weight of the levels is not 0, then w_2^[1]
+ * is not 0. */
+static void weight_of_the_first_level(trial *T, int n, const char *last, const char *refuted)
 {
-    num_q u[6], w[3];
-    given_points_q(T, "T", 6, 1, u);
-    given_points_q(T, "w", 3, 1, w);
+    num_q u[7], w[4];
+    given_points_q(T, "T", n + 3, 1, u);
+    given_points_q(T, "w", n, 1, w);
     num_q t = given_q(T, "t");
     num_q level = printed_weight_q(3, u, w, 1, 2, t), total = printed_weight_q(3, u, w, 2, 3, t);
     found_q(T, "w_2^[1](t)", level);
-    found_q(T, "w(t)", total);
-    about(T, "if w(t) is not 0, then w_2^[1] is not 0");
+    found_q(T, last, total);
+    about(T, refuted);
     refute(T, sign_q(total) != 0 && sign_q(level) == 0);
 }
 
-CLAIM(weight_of_a_level_may_vanish) { weight_of_the_first_level(T); }
+CLAIM(weight_of_a_level_may_vanish)
+{
+    weight_of_the_first_level(T, 3, "w(t)", "if w(t) is not 0, then w_2^[1] is not 0");
+}
 
 /*
 :::{claim} weight_of_a_level_vanishes_outside_the_interval
 :title: Outside its interval the algorithm subtracts positive weights
 :zh: 参数在区间之外时各层权因子可相消为零
 :kind: counterexample
-:given: the knots $T$ of one quadratic segment, positive weights $w$, and $t$ outside its interval
-:data: T = 0 0 0 1 1 1; w = 2 1 1; t = 2
+:given: the knots $T$ of two quadratic segments, positive weights $w$, and $t$ in the interval of the second, $[t_4,t_5)$; the levels with $j=3$, of the first
+:data: T = 0 0 0 1 2 2 2; w = 3 1 1 1; t = 3/2
 :instead: t = 1/2
-:then: $w_2^{[1]}(t)=(1-t)w_1+t\,w_2$ is a difference and vanishes, while the polynomial $w$ of the segment does not vanish at $t$
-:result: w_2^[1](t) = 0; w(t) = 2
+:then: $w_2^{[1]}(t)=(1-t)w_1+t\,w_2$ is a difference and vanishes, while $w_3^{[2]}(t)$, the polynomial $w$ of the first segment continued, does not
+:result: w_2^[1](t) = 0; w_3^[2](t) = 3/2
 :method: The weights of the levels by the recursion.
-:control: $t$ inside the interval
+:control: $t$ in the interval of the first segment
 :::
 */
-CLAIM(weight_of_a_level_vanishes_outside_the_interval) { weight_of_the_first_level(T); }
+CLAIM(weight_of_a_level_vanishes_outside_the_interval)
+{
+    weight_of_the_first_level(T, 4, "w_3^[2](t)", "if w_3^[2] is not 0, then w_2^[1] is not 0");
+}
 #endif
 
 /*
@@ -510,29 +517,29 @@ CLAIM(weights_of_levels_are_positive)
 :control: all weights positive
 :::
 */
-/* Whether the ratio in which the edge of the given linear segment is divided is in [0, 1]. */
-static int G(edge_is_divided_inside)(trial *T)
+/* Whether the ratio in which the first edge of the given linear curve of n points is divided is in [0, 1]. */
+static int G(edge_is_divided_inside)(trial *T, int n)
 {
-    num u[4], P[2], w[2];
-    given_points(T, "T", 4, 1, u);
-    given_points(T, "r", 2, 1, P);
-    given_points(T, "w", 2, 1, w);
+    num u[5], P[3], w[3];
+    given_points(T, "T", n + 2, 1, u);
+    given_points(T, "r", n, 1, P);
+    given_points(T, "w", n, 1, w);
     G(nurbs_deboor_level)(G(nurbs_on_span)(1, 1, u, 1, NULL, NULL), 1, P, w, given(T, "t"));
     found(T, "λ", P[0]);
     about(T, "0 <= λ <= 1");
     return sign_q(P[0]) >= 0 && sign_q(sub(from_int(1), P[0])) >= 0;
 }
 
-CLAIM(negative_weight_divides_outside) { agree(T, G(edge_is_divided_inside)(T)); }
+CLAIM(negative_weight_divides_outside) { agree(T, G(edge_is_divided_inside)(T, 2)); }
 
 /*
 :::{claim} other_interval_divides_outside
 :title: With the index of another interval an edge is divided outside
 :zh: 区间下标不符时外分
 :kind: counterexample
-:given: the first of two linear segments, from $0$ to $1$ on the line, the points $r$, over the knots $T$, with positive weights $w$; a parameter $t$ of the
-  second segment
-:data: T = 0 0 1 2; r = 0 1; w = 1 1/2; t = 3/2
+:given: two linear segments on the line, of the points $r$ over the knots $T$, with positive weights $w$; a parameter $t$ of the second, and the edge from $0$ to $1$
+  of the first
+:data: T = 0 0 1 2 2; r = 0 1 2; w = 1 1/2 1; t = 3/2
 :instead: t = 1/4
 :then: the ratio $\lambda$ in which the edge is divided is greater than $1$, so outside $[0,1]$
 :result: λ = 3
@@ -540,7 +547,7 @@ CLAIM(negative_weight_divides_outside) { agree(T, G(edge_is_divided_inside)(T));
 :control: $t$ in the interval of the first segment
 :::
 */
-CLAIM(other_interval_divides_outside) { agree(T, G(edge_is_divided_inside)(T)); }
+CLAIM(other_interval_divides_outside) { agree(T, G(edge_is_divided_inside)(T, 3)); }
 #endif
 
 /*
@@ -550,8 +557,11 @@ CLAIM(other_interval_divides_outside) { agree(T, G(edge_is_divided_inside)(T)); 
 :printed: The coefficients of corner cutting depend on the parameter $t$, the knots, the level $r$ and the number $i$ of the edge, and
   also on the weights of the curve
 :holds-by: weights_enter_the_coefficients every_level_divides_its_edges
+:confirmed-by: coefficients_differ_by_level_and_edge
 :figure: deboor_triangle
 
+On the level and the edge the coefficients depend through the knots $t_i$ and $t_{i+k-r}$ and the weights: those of one $t$ may all be different,
+`coefficients_differ_by_level_and_edge`, while over the knots of Bézier and with equal weights all are the same number.
 With equal weights the coefficients are those of de Boor's algorithm, and conversely the edge $i$ of level $r$ is divided as without
 weights only if $w_{i-1}^{[r-1]}=w_i^{[r-1]}$ or at its ends.
 :::
@@ -588,5 +598,40 @@ CLAIM(weights_enter_the_coefficients)
     same(T, div(P[0], sub(one, P[0])), mul(div(a, b), div(w, v)));
     same(T, sub(P[0], a), div(mul(mul(a, b), sub(w, v)), add(mul(a, w), mul(b, v))));
 }
+
+#if RATIONAL
+/*
+:::{claim} coefficients_differ_by_level_and_edge
+:title: The coefficients of one t may differ from level to level and from edge to edge
+:zh: 割角系数可随层数与边序号而异
+:kind: decision
+:given: a quadratic segment over the knots $T$ with equal weights $w$; $t$ in its interval, so that $j=3$
+:data: T = 1 2 3 4 5 6; w = 1 1 1; t = 7/2
+:instead: T = 0 0 0 1 1 1; t = 1/2
+:then: the three ratios $\lambda$ of (4.1.4), on the edges $i=2,3$ of level $1$ and $i=3$ of level $2$, are different
+:result: λ = 3/4 1/4 1/2
+:method: The ratio by its letter, each with each.
+:control: the knots of Bézier, over which all three are one number
+:::
+*/
+CLAIM(coefficients_differ_by_level_and_edge)
+{
+    static const int level[] = {1, 1, 2}, edge[] = {2, 3, 3};
+    num u[6], w[3], ratio[3];
+    given_points(T, "T", 6, 1, u);
+    given_points(T, "w", 3, 1, w);
+    num t = given(T, "t");
+    for (int m = 0; m < 3; m++) {
+        int r = level[m], i = edge[m];
+        num second = mul(sub(t, u[i - 1]), G(printed_weight)(3, u, w, r - 1, i, t));
+        num first = mul(sub(u[i + 3 - r - 1], t), G(printed_weight)(3, u, w, r - 1, i - 1, t));
+        ratio[m] = div(second, add(first, second));
+    }
+    found_points(T, "λ", 3, 1, ratio);
+    about(T, "no two of the ratios are equal");
+    agree(T, compare_q(ratio[0], ratio[1]) != 0 && compare_q(ratio[0], ratio[2]) != 0 &&
+                 compare_q(ratio[1], ratio[2]) != 0);
+}
+#endif
 
 #include "chapters/judge/claims_off.h"

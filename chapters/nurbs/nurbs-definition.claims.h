@@ -658,7 +658,7 @@ but of other points; the star in the printed formula leaves open which is meant.
 :reading: segment_of_any_knots_is_rational_bezier | the starred data are the Bézier points and weights of the segment, made of the given ones in homogeneous
   coordinates: over simple knots and for $k\ge3$ they may be others, over the knots of the line they are the given ones
 :needs: simple_start_needs_another_point | the line itself: $t_2=\dots=t_k$ | $t_2=\dots=t_k$: otherwise the curve may begin in another point than $r_1$
-:needs: simple_end_needs_another_point | the line itself: $t_{k+1}=\dots=t_{2k-1}$ | $t_{k+1}=\dots=t_{2k-1}$: otherwise the curve may end in another point than $r_k$
+:needs: simple_end_needs_another_point | the line itself: $t_{k+1}=\dots=t_{2k-1}$ | the knots $t_{k+1},\dots,t_{2k-1}$ are equal: otherwise the curve may end in another point than $r_k$
 :needs: no_interval_no_curve | the line itself: $t_k<t_{k+1}$ | $t_k<t_{k+1}$: otherwise the divisor $t_{k+1}-t_k$ is $0$, and the curve may not exist
 :confirmed-by: moved_point_changes_its_support
 :figure: bezier_knots

@@ -111,7 +111,7 @@ this can be computed is decided here.
 :reading: parabola_arcs_are_quadratic | for the parabola it is no advantage: polynomials of degree two run through it
 :figure: nurbs_circle
 
-A whole circle is one NURBS curve with rational points and weights, whatever the five distinct knots are.
+A whole circle is one NURBS curve of order three with rational points and weights, over two threefold knots and three double ones between them, whatever their values are.
 :::
 */
 
@@ -573,8 +573,9 @@ and references.
 :printed: Because of these merits NURBS are the only definition of free-form curves and surfaces in the STEP standard for the exchange of product data, formally
   issued by ISO in 1991 [1]; and well-known CAD companies, too, build their modelling systems first of all on the mathematical model of NURBS
 :reading: as history: no computation decides it.  The work cited for it is an article of 1991 on data exchange with STEP.
-:reading: as mathematics, that no other kind of curve is needed beside NURBS: that is not said; B-spline and rational Bézier curves are
-  among them, see `preface-special-case-bspline` and `preface-special-case-bezier`.
+
+That no other kind of curve is needed beside NURBS is not said.  B-spline and rational Bézier curves are among them, see
+`preface-special-case-bspline` and `preface-special-case-bezier`.
 :::
 */
 #include "chapters/judge/claims_off.h"

@@ -169,6 +169,7 @@ the equation.
 :figure: arc_of_a_parabola
 
 No common zero and $\omega_0\ne0$ together say that there is no base point, $u=\infty$ included.  Then $F$ has degree exactly $n$ and vanishes on the curve; that is what is shown.
+Theorem 3.4.2 by itself says that the degree is at most $n$; that it is not less follows from the terms of degree $n$, which do not vanish.
 :::
 
 :::{claim} doubled_parameter_halves_the_degree

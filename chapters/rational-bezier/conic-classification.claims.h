@@ -21,8 +21,8 @@ The implicit equation of the rational quadratic tells which conic it is, and the
 :holds-by: implicit_form_is_the_resultant kind_in_any_coordinates directions_at_infinity
 :needs: determinant_may_vanish_identically | § 3.1: the affine frame $\{R_1;R_1R_0,R_1R_2\}$ | $R_0$, $R_1$, $R_2$ do not lie on
   a line.
-:needs: determinant_needs_the_middle_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
-  are positive: so $\omega_1\ne0$.
+:needs: determinant_needs_the_middle_weight | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | no weight
+  is 0: positive ones are not.
 
 For a true triangle and weights different from 0 the determinant is $4\omega_0\omega_2S$, where $S=0$ is no
 degenerate conic, and its class is told by the sign of $AC-B^2$.
@@ -315,6 +315,7 @@ CLAIM(discriminant_in_special_coordinates)
   positive weights; for $\omega=-1$, as in the example, the denominator is 0 at $u=\frac12$.
 :needs: weight_zero_is_a_segment | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega\ne0$: so it is for
   positive weights.
+:meant: theorem 3.5.2, whose circular arcs have $I_1<1$ | A circle is an ellipse.
 :figure: classification_by_weight
 
 $\omega^2$ is the invariant $I_1$, and $\omega>0$.  With a weight $\omega$ of any sign it is $\omega^2$ that is compared with 1, for $\omega\ne0$.

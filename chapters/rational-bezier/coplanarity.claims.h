@@ -264,6 +264,8 @@ The printed proof goes the same way, with the plane taken as $z=0$, in four step
 :printed: Without loss of generality the curve (3.2.2) is in the $xy$-plane.
 :holds-by: mean_grows_by_one_term motion_takes_a_plane_to_the_coordinate_plane
 :confirmed-by: plane_form_of_the_curve
+:needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega(t)\ne0$:
+  otherwise there is no point $\mathbf R(t)$
 
 The motion is an affine map: the images of the points with the same weights have the image of the curve; and a point is in the plane exactly when the
 third coordinate of its image is 0.

@@ -279,8 +279,8 @@ strip still serves, and they are found by asking when two neighbouring edges are
   polygon, the number $i$ of the edge and the weights $\omega_i$.
 :holds-by: cut_depends_on_level_edge_and_weights
 :example: that a number depends on something is shown by one instance in which it changes with that alone; here there is one for each of parameter, level, edge and weights.
-:reading: geometric_weights_cut_evenly | for which weights it is so: the edge matters, on level 1 already, for all but the geometric weights
-  $\omega_i=\omega_0q^i$; for these, equal ones among them, it is as for polynomials: one ratio on all edges of all levels
+:reading: geometric_weights_cut_evenly | the number of the edge matters, on level 1 already, for all weights but the geometric ones
+  $\omega_i=\omega_0q^i$; for these, equal ones among them, one ratio cuts all edges of all levels, as for polynomials
 :::
 
 :::{claim} cut_depends_on_level_edge_and_weights

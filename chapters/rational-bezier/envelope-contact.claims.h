@@ -187,7 +187,7 @@ CLAIM(member_is_flatter_in_every_order)
     about(T, "one factor of the products");
     /* (1 - j/n) - (1 - j/m) = j r/(m n) */
     same(T, sub(sub(one, div(j, n)), sub(one, div(j, m))), gap);
-    nonnegative(T, gap);
+    G(must_be_positive)(T, gap);
 }
 
 #if !FIELD

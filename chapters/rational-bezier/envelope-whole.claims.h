@@ -34,7 +34,7 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   that the derivatives of the point of the member by $t$ and by $c$ are parallel, and already the cubic $(\tau,\tau^3)$ has another such point
 :reading: convex_quartic_has_another_envelope | all points that satisfy the envelope condition, for curves without inflections
 :reading: flat_point_has_another_envelope | all points that satisfy the envelope condition, for $r=1$ and curves with $\mathbf R'\times\mathbf R''\ge0$
-:corrected: For a plane curve with the homogeneous points $P_i=(\omega_i\mathbf R_i,\omega_i)$, their polar form $p$, $q(x,y)=p(c^{r-1},t^{n-r-1},x,y)$, $\delta=1-0$ and
+:corrected: For a plane curve with the homogeneous points $P_i=(\omega_i\mathbf R_i,\omega_i)$, $c$ and $t$ counted in $[0,1]$, the polar form $p$ of the $P_i$, $q(x,y)=p(c^{r-1},t^{n-r-1},x,y)$, $\delta=1-0$ and
   $w_r(c,t)=\det(q(0,0),q(0,\delta),q(\delta,\delta))$ the points that satisfy the envelope condition are $\mathbf R$ together with the points of the pairs $(c,t)$ with $w_r(c,t)=0$; with positive weights they are
   $\mathbf R$ alone when the $\mathbf R_i$ are, in this order, the corners of a strictly convex polygon, so always for $n=2$ and a true triangle; for $r=1$
   and for $r=n-1$ they are $\mathbf R$ alone when $\mathbf R'\times\mathbf R''\ne0$ on $[a,b]$
@@ -424,7 +424,7 @@ CLAIM(triangle_has_one_envelope)
 
 /*
 :::{claim} wronskian_decides_the_outer_levels
-:title: For r = 1 and r = n-1 the second factor is the Wronskian of the curve, in every degree
+:title: For r = 1 and r = n-1 the second factor is, up to a number, the Wronskian of the curve, in every degree
 :zh: r=1 与 r=n-1 时另一因子即曲线的 Wronski 行列式(任意次数)
 :given: $b_i=Z^i$, whose polar form is the product of the $D(x)=1-x+xZ$ of its arguments, with $D(\delta)=Z-1$; $n\ge2$, any $t$; $U=D(t)^{n-2}$, so $q(x,y)=UD(x)D(y)$; three vectors
   $a=q(0,0)$, $b=q(0,\delta)$, $d=q(\delta,\delta)$ of space, the third coordinate the weight

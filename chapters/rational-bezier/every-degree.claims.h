@@ -185,8 +185,8 @@ CLAIM(large_parameters_lead_to_the_left_end)
     /* t - a = l v/(1+v), l v - (t-a) = l v²/(1+v) */
     same(T, sub(t, a), div(mul(l, v), v1));
     same(T, sub(mul(l, v), sub(t, a)), div(mul(l, mul(v, v)), v1));
-    nonnegative(T, div(mul(l, v), v1));
-    nonnegative(T, div(mul(l, mul(v, v)), v1));
+    G(must_be_positive)(T, div(mul(l, v), v1));
+    G(must_be_positive)(T, div(mul(l, mul(v, v)), v1));
     num near = add(a, mul(l, v));
     about(T, "u near a");
     same(T, div(sub(b, near), sub(near, a)), sub(u, one));
@@ -194,7 +194,7 @@ CLAIM(large_parameters_lead_to_the_left_end)
 
 /*
 :::{claim} quotients_of_large_parameters_lead_to_the_first_point
-:title: The larger u is, the nearer the quotient is to the first coordinate, in every degree
+:title: For u that grows beyond every bound the quotient tends to the first coordinate, in every degree
 :zh: u 趋于无穷时商趋于首顶点的坐标
 :given: $v=\frac1u$; the sums of (3.4.4) divided by $u^n$, which are $\omega_0x_0+vA$ and $\omega_0+vW$ with polynomials $A$, $W$ in $v$, any numbers here; $\omega_0>0$
 :where: the weights are positive

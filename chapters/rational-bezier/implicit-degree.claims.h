@@ -356,6 +356,7 @@ $a_0$ and $b_0$; and of these there is one pair in each of the first $n$ columns
   and only $b_0$ contains $y$.
 :holds-by: column_operations_free_all_entries_but_the_first
 :confirmed-by: changed_entries_are_constants variables_stay_in_the_first_columns
+:meant: the column operations, whose recursion it is | (3.4.7) is the recursion with $\Omega_{i-r+1}$.
 :needs: end_weight_zero_gives_no_equation | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | $\omega_0\ne0$:
   $\Omega_i$ divides by it; in the example with $\omega_0=0$ the determinant is 0
 

@@ -37,7 +37,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
 :reading: equal_invariants_other_speed | same map of the parameter; then "if" fails, as the parameter is distributed
   differently; the source excludes this reading
 :reading: congruent_cubics_with_other_invariants | congruent curves; then "only if" fails, as the motion may exchange the
-  ends, and with them the weights (so for $n=4,5$ as well: `congruent_curves_beyond_cubics`)
+  ends, and with them the weights; the example has $n=3$, and there are such examples for $n=4,5$ as well
 :needs: equal_invariants_reach_the_other_arc | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
   are positive: for "if"
 :needs: segment_has_two_invariants | the theorem | at both ends three points are not collinear, and for $n=3,4,5$ three edges not
@@ -52,7 +52,7 @@ set run in the same direction; the same map of the parameter; or congruent curve
   linear change of the parameter | It is used in step (1).
 :argued: | (1) Two curves with one point set $T$ are proper and correspond to each other.  For $n=2$, $T$ is an arc of a proper conic.  For $n\ge3$, $T$ is in no plane, since its points $R_i$ would be in
   that plane, too (property 3.2.9); so its algebraic curve has at least the degree 3.  When common factors are removed, each parametrization has a degree of at most 5 that is a
-  multiple of it, hence equal to it: the curve is run once.  By the cited theorem the two differ by a projective map $\varphi$ of the parameter line, which maps $[0,1]$ onto itself.
+  multiple of it (each of the points in which a general plane meets the curve has equally many parameters), hence equal to it: the curve is run once.  By the cited theorem the two differ by a projective map $\varphi$ of the parameter line, which maps $[0,1]$ onto itself.
 :argued: | (2) They have one direction.  If $\varphi$ exchanged $0$ and $1$, then $R_0=R_n$, $a_1\parallel a_n$, and for $n=5$ the planes of $a_1,a_2$ and of $a_{n-1},a_n$ would
   be one; by `backward_run_flattens_the_first_edges` the first edges would then be dependent, against the hypothesis.
 :argued: | (3) Only if: curvature and torsion agree at corresponding ends.  By the claims they determine $I_1$, $I_1I_2$, $I_{n-1}$, $I_{n-2}I_{n-1}$, as $a_1\times a_2$ and, for $n\ge3$,
@@ -588,7 +588,7 @@ the other end to symmetry.
 :needs: palindromes_of_degree_five | theorem 3.2.1, where the first three points are not collinear, and the first three edges not coplanar for
   $n\ge3$ | the first edges are independent: $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$ for $n=2$ and $(\mathbf a_1,\mathbf a_2,\mathbf a_3)\ne0$
   for $n\ge3$.  Otherwise the point set may be run backwards, and the start of one curve is the end of the other.  In the example the last three edges
-  are coplanar, too, and the torsions agree, both being 0, but not the curvatures.
+  are coplanar, too, and the torsions agree, both being 0, but not the curvatures.  For $n=3$ it is enough that $\mathbf a_1\times\mathbf a_2\ne\mathbf 0$, as is said at theorem 3.2.1.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself.  If it exchanged the ends, the first edges would be dependent by
@@ -873,7 +873,7 @@ from the first three edges alone as well, as is said at theorem 3.2.1.
 :cites: [sendra-winkler-perez-diaz-2008]: two proper parametrizations of one rational curve differ by a fractional
   linear change of the parameter | It is used for the two curves, which step (1) of theorem 3.2.1 shows to be proper.
 :argued: | The two parameters differ by a projective map that takes $[0,1]$ onto itself; if it exchanged the ends, the first edges would be dependent by
-  `backward_run_flattens_the_first_edges`; so start corresponds to start and end to end, and curvatures and torsions agree there.
+  `backward_run_flattens_the_first_edges`, as the end derivatives have the directions of the edges; so start corresponds to start and end to end, and curvatures and torsions agree there.
 
 $n=2$: $\kappa(0)$ gives $I_1$.  $n=3$: $\kappa(0),\kappa(1)$ give $I_1,I_2$.  $n=4$: these give $I_1,I_3$, and
 $\tau(0)$ gives $I_2$.

@@ -254,6 +254,7 @@ vertex.
   lie on a line.
 :needs: weight_zero_has_ratio_zero | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive: so $\omega_1\ne0$.
+:meant: theorem 3.5.2, whose circular arcs have $I_1<1$ | A circle is an ellipse.
 :figure: shoulder_point
 
 The ratio is $\frac{\omega_1}{\sqrt{\omega_0\omega_2}}=\sqrt{I_1}$ for all positive weights, not only for standard ones.

@@ -116,8 +116,8 @@ class Words(unittest.TestCase):
         verdict = page.split("\nVerdict\n")[1].split("\n\n")[0]
         self.assertEqual(" ".join(verdict.split()), 'True: "an envelope", a curve that in each of its points is touched by a member, wherever '
                          'R′ ≠ 0 (1). False: "the envelope", all points that satisfy the envelope condition, as the equality sign says '
-                         '(2); the same with the restriction to curves without inflections (3); the same for r = 1, with the '
-                         'restriction to curves with R′ × R′′ ≥ 0 (4).')
+                         '(2); all points that satisfy the envelope condition, for curves without inflections (3); all points that '
+                         'satisfy the envelope condition, for r = 1 and curves with R′ × R′′ ≥ 0 (4).')
         self.assertTrue(verdict.strip().startswith('True: "an envelope", a curve'))
         ways = page.split("\nWays to read it\n")[1].split("\n\n")[0]
         self.assertEqual(re.findall(r"(?m)^     (\d+)  (true|false|open) ", ways), [("1", "true"), *((k, "false") for k in "234")])
