@@ -541,12 +541,12 @@ A point without a share in the curve is a vertex all the same.
 :title: Where the knot at which the domain begins is repeated inside, the first vertex may stay off the curve
 :zh: 左端节点在域内重复时首顶点可始终不动
 :kind: counterexample
-:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$, with $t_2=t_3=t_4$, whose domain is $[t_3,t_5]$ and whose polygon ends with
+:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$, with $t_2=t_3=t_4$, whose domain is $[t_3,t_5]$ and whose polygon is convex and ends with
   the curve; $T_m'$ halves every gap $m$ times, $m=1,\dots,M$
-:data: T = -1 0 0 0 1 1 1; r = (-1,0) (0,0) (1,2) (2,0); w = 1 1 1 1; M = 3
+:data: T = -1 0 0 0 1 1 1; r = (-1,-3) (0,0) (1,2) (2,0); w = 1 1 1 1; M = 3
 :instead: T = -1 0 0 1/2 1 1 1
 :then: the first vertex is $r_1$ for each of these $m$, while the curve, in the hull of its Bézier points $b$, is not to the left of $b_0$
-:result: b = (0,0) (1,2) (2,0); the vertex = (-1,0)
+:result: b = (0,0) (1,2) (2,0); the vertex = (-1,-3)
 :method: (4.1.6) by its letter.
 :control: the last of the three equal knots moved to the right
 :::
@@ -558,12 +558,12 @@ CLAIM(idle_start_keeps_the_first_vertex) { agree(T, G(end_vertex_comes_near)(T, 
 :title: Where the knot at which the domain ends is repeated inside, the last vertex may stay off the curve
 :zh: 右端节点在域内重复时末顶点可始终不动
 :kind: counterexample
-:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$, with $t_4=t_5=t_6$, whose domain is $[t_3,t_5]$ and whose polygon begins with
+:given: a quadratic segment of the points $r$ and weights $w$ over the knots $T$, with $t_4=t_5=t_6$, whose domain is $[t_3,t_5]$ and whose polygon is convex and begins with
   the curve; $T_m'$ halves every gap $m$ times, $m=1,\dots,M$
-:data: T = 0 0 0 1 1 1 2; r = (0,0) (1,2) (2,0) (3,0); w = 1 1 1 1; M = 3
+:data: T = 0 0 0 1 1 1 2; r = (0,0) (1,2) (2,0) (3,-3); w = 1 1 1 1; M = 3
 :instead: T = 0 0 0 1/2 1 1 2
 :then: the last vertex is $r_4$ for each of these $m$, while the curve, in the hull of its Bézier points $b$, is not to the right of $b_2$
-:result: b = (0,0) (1,2) (2,0); the vertex = (3,0)
+:result: b = (0,0) (1,2) (2,0); the vertex = (3,-3)
 :method: (4.1.6) by its letter.
 :control: the first of the three equal knots moved to the left
 :::

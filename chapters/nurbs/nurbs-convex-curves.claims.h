@@ -28,7 +28,7 @@ all the same: the hulls must be those of a growing sequence of knots, and a limi
 :meant: the sentence, which goes from the polygon to the curve | From the polygon to the curve, not back.
 :reading: curve_may_be_convex_alone | from the polygon to the curve only: the converse, which is not printed, fails
 :argued: | Insert three parameters $k-1$ times each: the three points of the curve are vertices, and they turn as
-  the polygon does; the start $t_1=t_k$ is not inserted, where the point of the curve is a vertex already.  So any finitely many points of the curve are, in their order, a convex polygon, unless they are on a line, and none is inside their hull; a point
+  the polygon does; the start $t_1=t_k$ and knots that are $k$-fold are not inserted, where the point of the curve is a vertex already.  So any finitely many points of the curve are, in their order, a convex polygon, unless they are on a line, and none is inside their hull; a point
   inside the hull of the curve would be inside that of finitely many.  If all turns are $0$, the curve is on a line, and so are the points whose B-splines are not $0$ on the
   domain, as these are linearly independent there; this part of the polygon goes straight on, and so does each polygon with parameters inserted, whose new vertices are on
   the edges before, one on each and in their order: three points of the curve, being vertices, follow one another on the line.
@@ -368,8 +368,8 @@ corollary 4.1.1 is that of the $T'_m$.
 :hypothesis: polygon_that_turns_back_loses_convexity | the polygon runs through its points once: as for the lemma; else the $A$
   of a refined polygon need not exist; or $A$ is taken as the hull
 :hypothesis: end_of_more_than_k_knots_has_no_shares | $t_n<t_{n+k}$: for (4.1.6)
-:needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots
-  increase
+:needs: hulls_of_unrelated_knots_are_not_nested | corollary 4.1.1: $T'_m\subseteq T'_{m+1}$ | the sets of knots increase: with
+  the two sets here in turn the hulls have no limit; or the polygons converge by (4.1.10), when limit and intersection are the hull of the curve
 :argued: | One knot after another gives $T'_{i+1}$ from $T'_i$, by (4.1.7), and each makes the hull smaller or leaves it; where a knot is more than $k$-fold, points without a share are left out.  The limit of a decreasing sequence of compact sets is their
   intersection, and an intersection of closed convex sets is closed and convex.
 :figure: hulls_of_knot_sets
@@ -432,8 +432,8 @@ CLAIM(hulls_of_unrelated_knots_are_not_nested)
 :argued: | The polygons are convex by lemma 4.2.1, and converge by (4.1.10).  Let polygon points $P_m\to P$, $P$ inside $A$.  Some disc about $P$ is in $A$, so in every
   $A(\Gamma_k^{(T)}(T'_m))$, and for large $m$ the point $P_m$ is inside it, not on the boundary.  Hence $P$ is on the boundary, and
   $A$, the limit of the hulls, is the hull of the limit.  The triangle of three points of the curve, in their order, is a limit of triangles of points of the polygons,
-  which have one sign; so the curve runs through the boundary once, unless it is on a line.  Then its polygon is on that line, too, and goes straight on, and so
-  does the curve: theorem 4.2.1.
+  which have one sign; so the curve runs through the boundary once, unless it is on a line.  Then the points whose B-splines are not 0 are on that line, too, and
+  this part of the polygon goes straight on, and so does the curve: theorem 4.2.1.
 :figure: where_hypotheses_are_needed
 :::
 

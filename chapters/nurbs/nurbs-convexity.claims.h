@@ -22,7 +22,7 @@ the corners and pass to the curve.
 :definition: yes
 :printed: a continuous plane curve $\Gamma$ is called convex if it is the boundary of a convex set of the plane, or part of it
 :checked-by: convex_polygons_lie_on_the_border_of_their_hull
-:meant: the words of the definition, which speak of a set | That the set of points of $\Gamma$ is the boundary or a part of it, as in the first two readings.
+:meant: the words of the definition, which speak of a set | That the set of points of $\Gamma$ is the boundary or a part of it, as in the first reading.
 :reading: polygon_that_turns_back_loses_convexity | that convexity is kept by insertion, lemma 4.2.1, when the set of points of $\Gamma$ has to be part of the boundary
 :reading: polygon_that_overlaps_itself_loses_convexity | that convexity is kept by insertion, lemma 4.2.1, when the set of points has to be part of the boundary and besides $\Gamma$ must never turn back
 :reading: turns_of_one_sign_are_not_enough | that the curve of a convex polygon is convex, theorem 4.2.1, when $\Gamma$ has to turn always to the same side, which the

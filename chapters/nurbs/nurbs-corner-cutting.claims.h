@@ -246,12 +246,13 @@ the corners are cut.
   or less for a knot outside the domain
 :then: the determinants of three new homogeneous points are sums of those of three old ones with the $3\times3$ minors of the matrix of
   the insertion; no minor is negative
-:method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables; the minors by their coefficients.  Minors are polynomials in the
-  $\alpha_i$, so that $\alpha_i=0$ and $1$ are included as limits. With $n=6$ all cases of three rows occur.
+:method: The equation, that of Cauchy and Binet, with all homogeneous coordinates variables; the minors by their coefficients, and again with $\alpha_i=0$
+  or $\alpha_i=1$ in any of their rows.  With $n=6$ all cases of three rows occur.
 :degrees: points = 3..6
 :argued: every number of points | The equation is the formula of Cauchy and Binet; three rows have entries in six columns at most,
   and which of these coincide is decided by whether neighbouring rows follow one another.
-:over: a#: ratios of division; e#: shares of the ends; x#: homogeneous points
+:scope: every ratio of division, 0 and 1 among them
+:over: a#: -; e#: shares of the ends; x#: homogeneous points
 :control: two neighbouring rows exchanged in the minors
 :::
 */
@@ -261,6 +262,23 @@ static num G(minor)(int width, const num M[], int i, int j, int l, int a, int b,
     const num *x = M + i * width, *y = M + j * width, *z = M + l * width;
     num P[3] = {x[a], x[b], x[c]}, Q[3] = {y[a], y[b], y[c]}, R[3] = {z[a], z[b], z[c]};
     return G(det3)(P, Q, R);
+}
+
+/* The minor is not negative either where one, two or all three of its rows have the ratio 0 or 1. */
+static void G(minor_at_the_ends_of_the_ratios)(trial *T, int n, const num M[], int i, int j, int l, int a, int b, int c)
+{
+    int row[] = {i, j, l}, column[] = {a, b, c};
+    for (int ends = 1; ends < 27; ends++) {
+        num N[9];
+        int inner = 1;
+        for (int x = 0, code = ends; x < 3; x++, code /= 3) {
+            inner &= code % 3 == 0 || (row[x] > 0 && row[x] < n);
+            for (int y = 0; y < 3; y++) /* column row - 1 has 1 - alpha, column row has alpha */
+                N[3 * x + y] = code % 3 == 0 ? M[row[x] * n + column[y]] : from_int(column[y] == row[x] - 2 + code % 3);
+        }
+        if (inner)
+            nonnegative(T, G(minor)(3, N, 0, 1, 2, 0, 1, 2));
+    }
 }
 
 CLAIM(insertion_turns_like_its_triangles)
@@ -291,6 +309,7 @@ CLAIM(insertion_turns_like_its_triangles)
                         for (int a = 0; a < b; a++) {
                             num minor = G(minor)(n, M, fault(T, i, j), fault(T, j, i), l, a, b, c);
                             nonnegative(T, minor);
+                            G(minor_at_the_ends_of_the_ratios)(T, n, M, fault(T, i, j), fault(T, j, i), l, a, b, c);
                             sum = add(sum, mul(minor, G(det3)(H + 3 * a, H + 3 * b, H + 3 * c)));
                         }
                 same(T, sum, G(det3)(N + 3 * i, N + 3 * j, N + 3 * l));
@@ -490,27 +509,32 @@ CLAIM(mixed_weights_cut_beside_the_edges)
 :::{claim} inserted_points_divide_the_edges
 :title: The new point divides the edge in the ratio of the weighted factors
 :zh: 新顶点按加权比分割边
-:given: $0\le\alpha\le1$, written $\alpha=\frac a{1+a}$; positive weights $w_{i-1},w_i$; points $r_{i-1},r_i$
+:given: $0\le\alpha\le1$, written $\alpha=\frac a{1+a}$, or $0$, or $1$; positive weights $w_{i-1},w_i$; points $r_{i-1},r_i$
 :let: $w'=(1-\alpha)w_{i-1}+\alpha w_i$, $s=\frac{\alpha w_i}{w'}$, $r'=(1-s)r_{i-1}+sr_i$
 :then: $w'r'=(1-\alpha)w_{i-1}r_{i-1}+\alpha w_ir_i$; and
   $w'>0$, $s\ge0$, $1-s\ge0$
-:method: Identities in the field, and signs of coefficients.  For $\alpha=0$ and $\alpha=1$ it is $s=\alpha$.
-:over: a#: ratios of division; r#: points
+:method: Identities in the field, and signs of coefficients; for $\alpha=0$ and $\alpha=1$ also that $s=\alpha$.
+:scope: every ratio of division, 0 and 1 among them
+:over: a#: -; r#: points
 :control: $s$ taken as $\alpha$, without weights
 :::
 */
 CLAIM(inserted_points_divide_the_edges)
 {
-    num one = from_int(1), a = positive(T, "a", 0), alpha = div(a, add(one, a)), rest = sub(one, alpha), weight;
+    num one = from_int(1), a = positive(T, "a", 0), ratio[] = {div(a, add(one, a)), from_int(0), one};
     num w0 = positive(T, "w", 0), w1 = positive(T, "w", 1), r0 = unknown(T, "r", 0), r1 = unknown(T, "r", 1);
-    num s = G(printed_ratio)(alpha, w0, w1, &weight);
-    s = fault(T, s, alpha);
-    num point = add(mul(sub(one, s), r0), mul(s, r1));
-    same(T, weight, add(mul(rest, w0), mul(alpha, w1)));
-    same(T, mul(weight, point), add(mul(mul(rest, w0), r0), mul(mul(alpha, w1), r1)));
-    nonnegative(T, weight);
-    nonnegative(T, s);
-    nonnegative(T, sub(one, s));
+    for (int end = 0; end < 3; end++) { /* inside the edge, at its start and at its end */
+        num alpha = ratio[end], rest = sub(one, alpha), weight, s = G(printed_ratio)(alpha, w0, w1, &weight);
+        s = fault(T, s, alpha);
+        num point = add(mul(sub(one, s), r0), mul(s, r1));
+        same(T, weight, add(mul(rest, w0), mul(alpha, w1)));
+        same(T, mul(weight, point), add(mul(mul(rest, w0), r0), mul(mul(alpha, w1), r1)));
+        if (end > 0)
+            same(T, s, alpha);
+        G(must_be_positive)(T, weight);
+        nonnegative(T, s);
+        nonnegative(T, sub(one, s));
+    }
 }
 
 /*
