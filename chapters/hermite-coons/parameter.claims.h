@@ -275,8 +275,8 @@ CLAIM(parametric_cubic_crosses_itself)
 :zh: 切线由参数导矢给出,与斜率是否存在无关
 :given: a point $(x,y)$ of a plane curve and its derivative $(x',y')\ne(0,0)$ there, any numbers; any $\lambda$
 :where: the derivative is not $(0,0)$
-:then: $(X-x)\,y'-(Y-y)\,x'=0$ for $(X,Y)=(x+\lambda x',y+\lambda y')$; where $x'\ne0$ it is $x'$ times $(X-x)\frac{y'}{x'}-(Y-y)$, which has the
-  slope $\frac{y'}{x'}$; where $x'=0$ it is $(X-x)\,y'=0$, the upright line
+:then: $(X-x)\,y'-(Y-y)\,x'=0$ for $(X,Y)=(x+\lambda x',y+\lambda y')$; where $x'\ne0$ it is $x'\bigl((X-x)\frac{y'}{x'}-(Y-y)\bigr)$, which is 0 on
+  the line of the slope $\frac{y'}{x'}$; where $x'=0$ it is $(X-x)\,y'=0$, the upright line
 :method: Identities with everything a variable, and once more with $x'=0$; the equation is that of a line, since one of its two factors is not 0.
 :over: x0 y0: point; x1 y1: derivative; X Y: -; l: -
 :control: the two components of the derivative exchanged
