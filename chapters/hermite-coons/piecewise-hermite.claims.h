@@ -29,7 +29,7 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
 :holds-by: hermite_kernel_blends_four_data
 :confirmed-by: base_functions_interpolate_once_continuously
 :needs: equal_ends_have_no_cubic | the words: on the interval $[t_i,t_{i+1}]$ (在区间 $[t_i,t_{i+1}]$) | $t_i\ne t_{i+1}$: the
-  functions divide by $t_{i+1}-t_i$
+  functions divide by $t_{i+1}-t_i$, and at equal ends no others will do
 :figure: nodes_that_meet
 
 In the text at hand the formulas have no signs and no primes; with those shown here each piece has its four data.
@@ -42,8 +42,6 @@ In the text at hand the formulas have no signs and no primes; with those shown h
   $h_{i-1,1}(t)(t_i-t_{i-1})$, $h_{i,0}(t)(t_{i+1}-t_i)$ and 0; for $i=0$ and $i=n$ the piece outside $[t_0,t_n]$ is left out
 :definition: yes
 :checked-by: base_functions_interpolate_once_continuously
-:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
-  the other intervals.
 :needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :figure: piecewise_base_functions
@@ -58,6 +56,8 @@ In the text at hand the formulas have no signs and no primes; with those shown h
 :method: The functions $a_{i,j}$ as printed, with the lengths, interval by interval, all $2n+2$ summed as polynomials; everything variable.  Of points and
   vectors each coordinate is computed by itself.
 :degrees: intervals = 1..4 sampled 8
+:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
+  the other intervals.
 :over: t# h#: increasing nodes; f# d#: data; p: t
 :control: in $a_{0,1}$ the function of the other end
 :::
@@ -114,8 +114,8 @@ must not only differ but increase.
 :printed: $P(t)=\sum_{i=0}^n[f(t_i)a_{i,0}(t)+f'(t_i)a_{i,1}(t)]$ on $[t_0,t_n]$ has just four terms on each $[t_i,t_{i+1}]$ and
   satisfies $P(t_i)=f(t_i)$, $P'(t_i)=f'(t_i)$, $i=0,1,\dots,n$
 :holds-by: base_functions_interpolate_once_continuously
-:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
-  the other intervals; and none of the four is, since by `base_functions_interpolate_once_continuously` each has at one end of it the value or the derivative 1.
+:argued: every number of intervals | On an interval none of the four functions of its two ends is 0 everywhere, since by `base_functions_interpolate_once_continuously` each has at one end of it
+  the value or the derivative 1; all others are 0 there by their definition.
 :needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :figure: nodes_that_meet
@@ -158,8 +158,6 @@ CLAIM(overlapping_intervals_miss_the_data)
 :zh: 单段的四项表示
 :printed: The piece $P_i(t)$ is defined on $[t_i,t_{i+1}]$ only: $P_i(t)=P_ia_{i,0}(t)+P_{i+1}a_{i+1,0}(t)+P_i'a_{i,1}(t)+P_{i+1}'a_{i+1,1}(t)=P_ig_{i,0}(t)+P_{i+1}g_{i,1}(t)+[P_i'h_{i,0}(t)+P_{i+1}'h_{i,1}(t)](t_{i+1}-t_i)$
 :holds-by: base_functions_interpolate_once_continuously
-:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
-  the other intervals.
 :needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :meant: the factor $t_{i+1}-t_i$ in the same line, and the sum before it, to which it is equal | $P_i'=f'(t_i)$, and the factor belongs to both derivatives.
@@ -230,8 +228,6 @@ agree there is one linear condition at each inner node; the curves that satisfy 
 :zh: 逐段光滑连接
 :printed: The cubics are joined smoothly, piece by piece.
 :holds-by: base_functions_interpolate_once_continuously
-:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
-  the other intervals.
 :needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :meant: the data, which are values and first derivatives | With a continuous first derivative, $C^1$.
@@ -364,7 +360,7 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :holds-by: unit_blending_functions
 :confirmed-by: one_choice_of_signs_in_the_matrix
 :needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: $u$
-  is a quotient by $t_{i+1}-t_i$
+  is a quotient by $t_{i+1}-t_i$, and at equal ends none or infinitely many cubics have the data
 :meant: the line below the formula, which begins with "where" (其中) | $P_i'$ and $P_{i+1}'$ are the derivatives times $t_{i+1}-t_i$.
 :reading: unit_blending_functions | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as in the line below
 :reading: tangent_over_the_unit_interval_is_scaled | $P_i'=f'(t_i)$, as for the piece over its own interval
