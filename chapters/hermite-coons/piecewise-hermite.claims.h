@@ -175,7 +175,7 @@ In the text at hand, which keeps no square brackets, the formula has none.
 :kind: counterexample
 :data: t = 0 2; f'(t_0) = 1
 :instead: t = 0 1
-:result: derivative at t_0 = 1/2
+:result: derivative there = 1/2
 :given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; $P_0'=f'(t_0)$
 :then: $P_0'h_{0,0}(t)$, without a factor, has at $t_0$ another derivative than $f'(t_0)$
 :method: The printed function, multiplied out and differentiated.
@@ -187,7 +187,7 @@ CLAIM(factor_beside_the_second_derivative_loses_the_first)
     num t[2];
     given_points(T, "t", 2, 1, t);
     num slope = given(T, "f'(t_0)"), derivative = mul(slope, G(at)(G(printed_blending)(t[0], t[1], 2), 1, t[0]));
-    found(T, "derivative at t_0", derivative);
+    found(T, "derivative there", derivative);
     about(T, "the derivative at t_0, and f'(t_0)");
     same(T, derivative, slope);
 }
@@ -199,7 +199,7 @@ CLAIM(factor_beside_the_second_derivative_loses_the_first)
 :kind: counterexample
 :data: t = 0 2; f'(t_0) = 1
 :instead: t = 0 1
-:result: P_0' = 2; derivative at t_0 = 2
+:result: P_0' = 2; derivative there = 2
 :given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; $P_0'=f'(t_0)(t_1-t_0)$
 :then: $P_0'h_{0,0}(t)(t_1-t_0)$ has at $t_0$ another derivative than $f'(t_0)$
 :method: The printed function, multiplied out and differentiated.
@@ -214,7 +214,7 @@ CLAIM(scaled_tangent_is_not_scaled_again)
     /* d/dt of P_0' h_{0,0}(t) (t_1 - t_0) */
     num derivative = mul(scaled, G(at)(G(printed_term)(t[0], t[1], 2), 1, t[0]));
     found(T, "P_0'", scaled);
-    found(T, "derivative at t_0", derivative);
+    found(T, "derivative there", derivative);
     about(T, "the derivative at t_0, and f'(t_0)");
     same(T, derivative, slope);
 }
@@ -395,7 +395,7 @@ over all $P_ia_{i,0}+P_i'a_{i,1}$, for $f'(t_i)$ itself.
 :kind: counterexample
 :data: t = 0 2; f'(t_0) = 1
 :instead: t = 0 1
-:result: dP/dt at t_0 = 1/2
+:result: dP/dt there = 1/2
 :given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; the piece over the unit interval with $P_0'=f'(t_0)$
 :then: at $t_0$ it has another derivative with respect to $t$ than $f'(t_0)$
 :method: The kernel over the unit interval, its derivative divided by the length.
@@ -408,7 +408,7 @@ CLAIM(tangent_over_the_unit_interval_is_scaled)
     given_points(T, "t", 2, 1, t);
     hermite_cubic_q(1, zero, one, (num[]){zero, zero, slope, zero}, zero, 1, out);
     num derivative = div(out[1], sub(t[1], t[0]));
-    found(T, "dP/dt at t_0", derivative);
+    found(T, "dP/dt there", derivative);
     about(T, "the derivative at t_0, and f'(t_0)");
     same(T, derivative, slope);
 }
