@@ -464,9 +464,9 @@ CLAIM(open_corner_loses_the_border)
 :kind: counterexample
 :data: ends of 0w = 0 2; ends of u0 = 1 3
 :instead: ends of u0 = 0 3
-:result: 00 on 0w = 0; 00 on u0 = 1
+:result: 00 of the first = 0; 00 of the second = 1
 :given: $f_0=1-t$, $f_1=t$; two straight borders on a line, each given by its ends: $0w$ from $w=0$ to $1$, $u0$ from $u=0$ to $1$
-:then: the corner $00$ computed from $0w$ at $w=0$ is not that computed from $u0$ at $u=0$
+:then: the corner $00$ computed from the first, $0w$ at $w=0$, is not that computed from the second, $u0$ at $u=0$
 :method: Both borders are computed at parameter 0.
 :control: the borders meet
 :::
@@ -477,8 +477,8 @@ CLAIM(open_corner_is_two_points)
     given_points(T, "ends of 0w", 2, 1, along_w);
     given_points(T, "ends of u0", 2, 1, along_u);
     num of_0w = ruled_q(start, along_w), of_u0 = ruled_q(start, along_u);
-    found(T, "00 on 0w", of_0w);
-    found(T, "00 on u0", of_u0);
+    found(T, "00 of the first", of_0w);
+    found(T, "00 of the second", of_u0);
     about(T, "the corner 00 computed from 0w and from u0");
     same(T, of_0w, of_u0);
 }
