@@ -35,7 +35,8 @@ being continuous, one that has their limits without being continuous itself.
 :hypothesis: equal_derivatives_are_not_continuous | on either side the function has $k$ continuous derivatives up to $x_0$; as
   pieces that are polynomials have
 :meant: the class $C^0$ of the next sentence, which has no other order | The order 0 is among the orders up to $k$: the values are counted as the derivatives of order 0.
-:reading: a_factor_raises_the_order_of_a_zero | the orders $0,1,\dots,k$, the values being those of the order 0
+:reading: a_factor_raises_the_order_of_a_zero | the orders $0,1,\dots,k$, the values being those of the order 0 | One derivative from both sides, order by order, to which both sides tend, is
+  continuous at $x_0$.
 :reading: equal_limits_do_not_make_a_continuous_function | the orders $1,\dots,k$ alone, by limits of $f',\dots,f^{(k)}$ from either side
 :figure: differentiable_without_continuity
 
@@ -190,7 +191,7 @@ is no way in either direction: the figure does not know how fast it is run throu
 :argued: | The point of the graph, $(x,f)$, is continuous where $f$ is.  Slope and curvature are formed from $f'$ and $f''$ by sums, products and a
   root, divided by numbers that are not 0, and so are continuous where $f'$ and $f''$ are.
 :meant: the words "of the function" (该函数的图形), and "are continuous" | From the class to the figure, for graphs.
-:reading: curvature_of_a_graph | from the class to the figure, for graphs
+:reading: curvature_of_a_graph | from the class to the figure, for graphs | Slope and curvature are formed from $f'$ and $f''$ by operations that keep continuity.
 :reading: upright_tangent_is_continuous_and_not_c1 | from the figure to the class, for graphs
 :reading: tangent_turns_back_at_a_smooth_parameter | from the class to the figure, for curves with a parameter: where $P'=0$, which graphs never have, the
   tangent may turn back

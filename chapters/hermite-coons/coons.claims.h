@@ -464,9 +464,9 @@ CLAIM(open_corner_loses_the_border)
 :kind: counterexample
 :data: ends of 0w = 0 2; ends of u0 = 1 3
 :instead: ends of u0 = 0 3
-:result: 00 on 0w = 0; 00 on u0 = 1
+:result: 00 of the first = 0; 00 of the second = 1
 :given: $f_0=1-t$, $f_1=t$; two straight borders on a line, each given by its ends: $0w$ from $w=0$ to $1$, $u0$ from $u=0$ to $1$
-:then: the corner $00$ computed from $0w$ at $w=0$ is not that computed from $u0$ at $u=0$
+:then: the corner $00$ computed from the first, $0w$ at $w=0$, is not that computed from the second, $u0$ at $u=0$
 :method: Both borders are computed at parameter 0.
 :control: the borders meet
 :::
@@ -477,8 +477,8 @@ CLAIM(open_corner_is_two_points)
     given_points(T, "ends of 0w", 2, 1, along_w);
     given_points(T, "ends of u0", 2, 1, along_u);
     num of_0w = ruled_q(start, along_w), of_u0 = ruled_q(start, along_u);
-    found(T, "00 on 0w", of_0w);
-    found(T, "00 on u0", of_u0);
+    found(T, "00 of the first", of_0w);
+    found(T, "00 of the second", of_u0);
     about(T, "the corner 00 computed from 0w and from u0");
     same(T, of_0w, of_u0);
 }
@@ -672,9 +672,9 @@ static void one_of_two_is_lost(trial *T, int k, int l, const char *const data[4]
 :title: Two points at a corner: whichever is taken, one border is lost
 :zh: 角点不闭合则不能同时保持两边界
 :kind: counterexample
-:data: 0w at 0 = 0; u0 at 0 = 1; u = 1/2; w = 1/2
-:instead: u0 at 0 = 0
-:result: 0w at w = 0; u0 at u = 1/2; P(0,w) with the first = 1/2; P(u,0) with the first = 1/2; P(0,w) with the second = 0; P(u,0) with the second = 0
+:data: p = 0; p' = 1; u = 1/2; w = 1/2
+:instead: p' = 0
+:result: point of 0w = 0; point of u0 = 1/2; P(0,w) with the first = 1/2; P(u,0) with the first = 1/2; P(0,w) with the second = 0; P(u,0) with the second = 0
 :given: all data 0 but two borders, $0w=pq_{00}(w)$ and $u0=p'q_{00}(u)$: the one begins at $p$ for $u=w=0$, the other at $p'$, and they differ
 :then: with the first point as $00$ in the matrix $M$ of the corners the border $u=0$ is another curve than $0w$; with the second the border $w=0$ is another
   than $u0$
@@ -684,7 +684,7 @@ static void one_of_two_is_lost(trial *T, int k, int l, const char *const data[4]
 */
 CLAIM(two_points_cannot_both_be_kept)
 {
-    static const char *const data[4] = {"0w at 0", "u0 at 0", "0w at w", "u0 at u"};
+    static const char *const data[4] = {"p", "p'", "point of 0w", "point of u0"};
     static const char *const name[2][2] = {{"P(0,w) with the first", "P(u,0) with the first"},
                                            {"P(0,w) with the second", "P(u,0) with the second"}};
     one_of_two_is_lost(T, 0, 0, data, name);
@@ -695,9 +695,9 @@ CLAIM(two_points_cannot_both_be_kept)
 :title: Two tangents at a corner: whichever is taken, a border or a derivative across is lost
 :zh: 角点切向量不相容则不能同时保持
 :kind: counterexample
-:data: 0w_u at 0 = 0; tangent of u0 at 0 = 1; u = 1/2; w = 1/2
-:instead: tangent of u0 at 0 = 0
-:result: 0w_u at w = 0; u0 at u = 1/8; P_u(0,w) with the first = 1/2; P(u,0) with the first = 1/8; P_u(0,w) with the second = 0; P(u,0) with the second = 0
+:data: τ = 0; τ' = 1; u = 1/2; w = 1/2
+:instead: τ' = 0
+:result: vector of 0w_u = 0; point of u0 = 1/8; P_u(0,w) with the first = 1/2; P(u,0) with the first = 1/8; P_u(0,w) with the second = 0; P(u,0) with the second = 0
 :given: all data 0 but a derivative across a border, $0w_u=\tau q_{00}(w)$, and a border, $u0=\tau'q_{10}(u)$: the one asks for the tangent $\tau$ along $u$ at
   $u=w=0$, the other for $\tau'$, and they differ
 :then: with the first tangent as $00_u$ in the matrix $M$ of the corners the border $u=0$ has another derivative across it than $0w_u$; with the second the border $w=0$ is
@@ -708,7 +708,7 @@ CLAIM(two_points_cannot_both_be_kept)
 */
 CLAIM(two_tangents_cannot_both_be_kept)
 {
-    static const char *const data[4] = {"0w_u at 0", "tangent of u0 at 0", "0w_u at w", "u0 at u"};
+    static const char *const data[4] = {"τ", "τ'", "vector of 0w_u", "point of u0"};
     static const char *const name[2][2] = {{"P_u(0,w) with the first", "P(u,0) with the first"},
                                            {"P_u(0,w) with the second", "P(u,0) with the second"}};
     one_of_two_is_lost(T, 2, 0, data, name);
@@ -719,9 +719,9 @@ CLAIM(two_tangents_cannot_both_be_kept)
 :title: Two twists at a corner: whichever is taken, one derivative across is lost
 :zh: 扭矢不相容则不能同时保持
 :kind: counterexample
-:data: twist of 0w_u = 0; twist of u0_w = 1; u = 1/2; w = 1/2
-:instead: twist of u0_w = 0
-:result: 0w_u = 0; u0_w = 1/8; P_u(0,w) with the first = 1/8; P_w(u,0) with the first = 1/8; P_u(0,w) with the second = 0; P_w(u,0) with the second = 0
+:data: τ = 0; τ' = 1; u = 1/2; w = 1/2
+:instead: τ' = 0
+:result: vector of 0w_u = 0; vector of u0_w = 1/8; P_u(0,w) with the first = 1/8; P_w(u,0) with the first = 1/8; P_u(0,w) with the second = 0; P_w(u,0) with the second = 0
 :given: all data 0 but the derivatives across two borders, $0w_u=\tau q_{10}(w)$ and $u0_w=\tau'q_{10}(u)$: the one asks for the twist $\tau$ at
   $u=w=0$, the other for $\tau'$, and they differ
 :then: with the first twist as $00_{uw}$ in the matrix $M$ of the corners the border $u=0$ has another derivative across it than $0w_u$; with the second the border $w=0$ has
@@ -732,7 +732,7 @@ CLAIM(two_tangents_cannot_both_be_kept)
 */
 CLAIM(two_twists_cannot_both_be_kept)
 {
-    static const char *const data[4] = {"twist of 0w_u", "twist of u0_w", "0w_u", "u0_w"};
+    static const char *const data[4] = {"τ", "τ'", "vector of 0w_u", "vector of u0_w"};
     static const char *const name[2][2] = {{"P_u(0,w) with the first", "P_w(u,0) with the first"},
                                            {"P_u(0,w) with the second", "P_w(u,0) with the second"}};
     one_of_two_is_lost(T, 2, 2, data, name);

@@ -229,7 +229,7 @@ CLAIM(nodal_cubic_has_an_equation)
 :kind: decision
 :data: c = (-1,0) (0,-1) (1,0) (0,1); t = -1 1; s = -1/2 1/2
 :instead: c = (-1,0) (1,-1) (0,0) (0,1)
-:result: P = (0,0) (0,0); P' = (-2,2) (2,2); points at s = (-3/4,3/8) (-3/4,-3/8)
+:result: P(t) = (0,0) (0,0); P'(t) = (-2,2) (2,2); P(s) = (-3/4,3/8) (-3/4,-3/8)
 :given: the cubic $P(t)=\sum_kc_kt^k$, two parameters $t$ and two others, $s$
 :then: at the $t$ the curve $P$ is twice the same point, and the two derivatives are not parallel; at the $s$ it has two points with one $x$ and two
   different $y$, so that no $y=f(x)$ contains it
@@ -247,9 +247,9 @@ CLAIM(parametric_cubic_crosses_itself)
         G(power_derivatives)(3, plane, c, t[k], 1, D[k]);
         G(power_point)(3, plane, c, s[k], above + k * plane);
     }
-    found_points(T, "points at s", 2, plane, above);
-    found_points(T, "P", 2, plane, (num[]){D[0][0], D[0][1], D[1][0], D[1][1]});
-    found_points(T, "P'", 2, plane, (num[]){D[0][2], D[0][3], D[1][2], D[1][3]});
+    found_points(T, "P(s)", 2, plane, above);
+    found_points(T, "P(t)", 2, plane, (num[]){D[0][0], D[0][1], D[1][0], D[1][1]});
+    found_points(T, "P'(t)", 2, plane, (num[]){D[0][2], D[0][3], D[1][2], D[1][3]});
     about(T, "the two points");
     same(T, D[0][0], D[1][0]);
     same(T, D[0][1], D[1][1]);
@@ -275,8 +275,8 @@ CLAIM(parametric_cubic_crosses_itself)
 :zh: 切线由参数导矢给出,与斜率是否存在无关
 :given: a point $(x,y)$ of a plane curve and its derivative $(x',y')\ne(0,0)$ there, any numbers; any $\lambda$
 :where: the derivative is not $(0,0)$
-:then: $(X-x)\,y'-(Y-y)\,x'=0$ for $(X,Y)=(x+\lambda x',y+\lambda y')$; where $x'\ne0$ it is $x'$ times $(X-x)\frac{y'}{x'}-(Y-y)$, which has the
-  slope $\frac{y'}{x'}$; where $x'=0$ it is $(X-x)\,y'=0$, the upright line
+:then: $(X-x)\,y'-(Y-y)\,x'=0$ for $(X,Y)=(x+\lambda x',y+\lambda y')$; where $x'\ne0$ it is $x'\bigl((X-x)\frac{y'}{x'}-(Y-y)\bigr)$, which is 0 on
+  the line of the slope $\frac{y'}{x'}$; where $x'=0$ it is $(X-x)\,y'=0$, the upright line
 :method: Identities with everything a variable, and once more with $x'=0$; the equation is that of a line, since one of its two factors is not 0.
 :over: x0 y0: point; x1 y1: derivative; X Y: -; l: -
 :control: the two components of the derivative exchanged
@@ -309,7 +309,7 @@ CLAIM(tangent_needs_no_slope)
 :given: the cubic with the Bézier points $R$, which has a cusp at $t$, where the tangent is along the second derivative and upright, and a point $Q$ that is not on this
   tangent
 :then: the equation $(X-x)\,y'-(Y-y)\,x'=0$ is satisfied at $Q$ all the same, both its coefficients being 0: it is not that of the tangent
-:result: derivative = (0,0); second derivative = (0,2); left side at Q = 0
+:result: derivative = (0,0); second derivative = (0,2); left side of the equation = 0
 :method: The kernel's point and derivatives; the first derivative put into the equation, the second compared with the way from the point to $Q$; that the equation
   is not satisfied at $Q$ is refuted.
 :control: a cubic with the same point, the same second derivative and a first derivative along it
@@ -325,7 +325,7 @@ CLAIM(cusp_has_no_equation_of_the_tangent)
     int upright = is_zero_q(D[2 * plane]) && !is_zero_q(D[2 * plane + 1]), beside = !is_zero_q(from[0]);
     found_points(T, "derivative", 1, plane, D + plane);
     found_points(T, "second derivative", 1, plane, D + 2 * plane);
-    found(T, "left side at Q", left);
+    found(T, "left side of the equation", left);
     about(T, "whether the equation of the tangent is not satisfied at Q");
     refute(T, upright && beside && is_zero_q(left));
 }
@@ -615,7 +615,7 @@ CLAIM(range_of_parameters_marks_a_part)
 :kind: counterexample
 :data: c = 1; corners = (0,0) (1,0) (0,1); (s,t) = (1,1)
 :instead: c = 2
-:result: s + t at the corners = 0 1 1; s + t at (s,t) = 2
+:result: sums of the corners = 0 1 1; s + t = 2
 :given: the part of a surface where $s+t\le c$, three places of it, and a fourth place $(s,t)$
 :then: ranges of the two parameters that have the three places have the fourth, which is not in the part
 :method: Each of the two parameters of the fourth place is one of those of the three; the sums are compared with $c$.
@@ -635,8 +635,8 @@ CLAIM(triangle_of_parameters_is_no_rectangle)
             in_ranges[m] |= equal_q(corners[2 * k + m], place[m]);
     }
     num sum = add(place[0], place[1]);
-    found_points(T, "s + t at the corners", 3, 1, sums);
-    found(T, "s + t at (s,t)", sum);
+    found_points(T, "sums of the corners", 3, 1, sums);
+    found(T, "s + t", sum);
     about(T, "whether ranges that have the three places mark off the part");
     refute(T, in_part && in_ranges[0] && in_ranges[1] && compare_q(sum, c) > 0);
 }

@@ -29,7 +29,7 @@ datum, the two pieces that know of it, on both sides of $t_i$, are glued togethe
 :holds-by: hermite_kernel_blends_four_data
 :confirmed-by: base_functions_interpolate_once_continuously
 :needs: equal_ends_have_no_cubic | the words: on the interval $[t_i,t_{i+1}]$ (在区间 $[t_i,t_{i+1}]$) | $t_i\ne t_{i+1}$: the
-  functions divide by $t_{i+1}-t_i$
+  functions divide by $t_{i+1}-t_i$, and at equal ends no others will do
 :figure: nodes_that_meet
 
 In the text at hand the formulas have no signs and no primes; with those shown here each piece has its four data.
@@ -42,8 +42,6 @@ In the text at hand the formulas have no signs and no primes; with those shown h
   $h_{i-1,1}(t)(t_i-t_{i-1})$, $h_{i,0}(t)(t_{i+1}-t_i)$ and 0; for $i=0$ and $i=n$ the piece outside $[t_0,t_n]$ is left out
 :definition: yes
 :checked-by: base_functions_interpolate_once_continuously
-:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
-  the other intervals.
 :needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :figure: piecewise_base_functions
@@ -58,6 +56,8 @@ In the text at hand the formulas have no signs and no primes; with those shown h
 :method: The functions $a_{i,j}$ as printed, with the lengths, interval by interval, all $2n+2$ summed as polynomials; everything variable.  Of points and
   vectors each coordinate is computed by itself.
 :degrees: intervals = 1..4 sampled 8
+:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
+  the other intervals.
 :over: t# h#: increasing nodes; f# d#: data; p: t
 :control: in $a_{0,1}$ the function of the other end
 :::
@@ -114,8 +114,8 @@ must not only differ but increase.
 :printed: $P(t)=\sum_{i=0}^n[f(t_i)a_{i,0}(t)+f'(t_i)a_{i,1}(t)]$ on $[t_0,t_n]$ has just four terms on each $[t_i,t_{i+1}]$ and
   satisfies $P(t_i)=f(t_i)$, $P'(t_i)=f'(t_i)$, $i=0,1,\dots,n$
 :holds-by: base_functions_interpolate_once_continuously
-:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
-  the other intervals; and none of the four is, since by `base_functions_interpolate_once_continuously` each has at one end of it the value or the derivative 1.
+:argued: every number of intervals | On an interval none of the four functions of its two ends is 0 everywhere, since by `base_functions_interpolate_once_continuously` each has at one end of it
+  the value or the derivative 1; all others are 0 there by their definition.
 :needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :figure: nodes_that_meet
@@ -158,8 +158,6 @@ CLAIM(overlapping_intervals_miss_the_data)
 :zh: 单段的四项表示
 :printed: The piece $P_i(t)$ is defined on $[t_i,t_{i+1}]$ only: $P_i(t)=P_ia_{i,0}(t)+P_{i+1}a_{i+1,0}(t)+P_i'a_{i,1}(t)+P_{i+1}'a_{i+1,1}(t)=P_ig_{i,0}(t)+P_{i+1}g_{i,1}(t)+[P_i'h_{i,0}(t)+P_{i+1}'h_{i,1}(t)](t_{i+1}-t_i)$
 :holds-by: base_functions_interpolate_once_continuously
-:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
-  the other intervals.
 :needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :meant: the factor $t_{i+1}-t_i$ in the same line, and the sum before it, to which it is equal | $P_i'=f'(t_i)$, and the factor belongs to both derivatives.
@@ -177,7 +175,7 @@ In the text at hand, which keeps no square brackets, the formula has none.
 :kind: counterexample
 :data: t = 0 2; f'(t_0) = 1
 :instead: t = 0 1
-:result: derivative at t_0 = 1/2
+:result: derivative there = 1/2
 :given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; $P_0'=f'(t_0)$
 :then: $P_0'h_{0,0}(t)$, without a factor, has at $t_0$ another derivative than $f'(t_0)$
 :method: The printed function, multiplied out and differentiated.
@@ -189,7 +187,7 @@ CLAIM(factor_beside_the_second_derivative_loses_the_first)
     num t[2];
     given_points(T, "t", 2, 1, t);
     num slope = given(T, "f'(t_0)"), derivative = mul(slope, G(at)(G(printed_blending)(t[0], t[1], 2), 1, t[0]));
-    found(T, "derivative at t_0", derivative);
+    found(T, "derivative there", derivative);
     about(T, "the derivative at t_0, and f'(t_0)");
     same(T, derivative, slope);
 }
@@ -201,7 +199,7 @@ CLAIM(factor_beside_the_second_derivative_loses_the_first)
 :kind: counterexample
 :data: t = 0 2; f'(t_0) = 1
 :instead: t = 0 1
-:result: P_0' = 2; derivative at t_0 = 2
+:result: P_0' = 2; derivative there = 2
 :given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; $P_0'=f'(t_0)(t_1-t_0)$
 :then: $P_0'h_{0,0}(t)(t_1-t_0)$ has at $t_0$ another derivative than $f'(t_0)$
 :method: The printed function, multiplied out and differentiated.
@@ -216,7 +214,7 @@ CLAIM(scaled_tangent_is_not_scaled_again)
     /* d/dt of P_0' h_{0,0}(t) (t_1 - t_0) */
     num derivative = mul(scaled, G(at)(G(printed_term)(t[0], t[1], 2), 1, t[0]));
     found(T, "P_0'", scaled);
-    found(T, "derivative at t_0", derivative);
+    found(T, "derivative there", derivative);
     about(T, "the derivative at t_0, and f'(t_0)");
     same(T, derivative, slope);
 }
@@ -230,8 +228,6 @@ agree there is one linear condition at each inner node; the curves that satisfy 
 :zh: 逐段光滑连接
 :printed: The cubics are joined smoothly, piece by piece.
 :holds-by: base_functions_interpolate_once_continuously
-:argued: every number of intervals | On an interval all functions but the four of its two ends are 0, by their definition, whatever stands on
-  the other intervals.
 :needs: overlapping_intervals_miss_the_data | the words: in the interval $[t_0,t_n]$, and the ranges of the printed cases |
   $t_0<t_1<\dots<t_n$: intervals $[t_i,t_{i+1}]$ of $[t_0,t_n]$
 :meant: the data, which are values and first derivatives | With a continuous first derivative, $C^1$.
@@ -364,7 +360,7 @@ have two different vectors at their common node.  The slides call both $P_i'$.
 :holds-by: unit_blending_functions
 :confirmed-by: one_choice_of_signs_in_the_matrix
 :needs: equal_ends_have_no_cubic | the transformation, which is that of the interval $[t_i,t_{i+1}]$ | $t_i\ne t_{i+1}$: $u$
-  is a quotient by $t_{i+1}-t_i$
+  is a quotient by $t_{i+1}-t_i$, and at equal ends none or infinitely many cubics have the data
 :meant: the line below the formula, which begins with "where" (其中) | $P_i'$ and $P_{i+1}'$ are the derivatives times $t_{i+1}-t_i$.
 :reading: unit_blending_functions | $P_i'=f'(t_i)(t_{i+1}-t_i)$, as in the line below
 :reading: tangent_over_the_unit_interval_is_scaled | $P_i'=f'(t_i)$, as for the piece over its own interval
@@ -399,7 +395,7 @@ over all $P_ia_{i,0}+P_i'a_{i,1}$, for $f'(t_i)$ itself.
 :kind: counterexample
 :data: t = 0 2; f'(t_0) = 1
 :instead: t = 0 1
-:result: dP/dt at t_0 = 1/2
+:result: dP/dt there = 1/2
 :given: the nodes $t$ and the derivative $f'(t_0)$, the other data being 0; the piece over the unit interval with $P_0'=f'(t_0)$
 :then: at $t_0$ it has another derivative with respect to $t$ than $f'(t_0)$
 :method: The kernel over the unit interval, its derivative divided by the length.
@@ -412,7 +408,7 @@ CLAIM(tangent_over_the_unit_interval_is_scaled)
     given_points(T, "t", 2, 1, t);
     hermite_cubic_q(1, zero, one, (num[]){zero, zero, slope, zero}, zero, 1, out);
     num derivative = div(out[1], sub(t[1], t[0]));
-    found(T, "dP/dt at t_0", derivative);
+    found(T, "dP/dt there", derivative);
     about(T, "the derivative at t_0, and f'(t_0)");
     same(T, derivative, slope);
 }
