@@ -180,7 +180,8 @@ found by Pythagoras, or from the tangent of half the angle.
 :printed: With hardware the algorithm needs products of matrices, and trigonometric functions have to be computed as well.
 :holds-by: rotation_matrix_adds_the_angle
 :meant: the words above, by which a suitable $\Delta\theta$ is chosen | The step is given by its angle.
-:reading: rotation_matrix_adds_the_angle | the step is given by its angle: the entries of the matrix are its cosine and its sine
+:reading: rotation_matrix_adds_the_angle | the step is given by its angle, and the entries of the matrix, its cosine and its sine, have to be computed | They are functions of the
+  angle alone.
 :reading: rational_step_has_no_angle | any step that is small and always the same will do, and it needs trigonometric functions, too
 :argued: | The entries of the matrix are functions of the angle alone, its cosine and its sine; where the step is given by its angle, these two have to be computed.
 :figure: three_generators
