@@ -187,7 +187,8 @@ static num G(alternating_sum)(int n, int dim, const num c[], int j, int k, num t
   powers of $x$ are sums of these functions, one after the other; so the $n$-th difference of $\sum_{k\le n}a_k\binom{t/\delta}k$ with the
   step $\delta\ne0$ is the constant $a_n$, and every further one is 0
 :method: Identities with $k$, $x$ and $c$ variables, $x=t/\delta$.  By that of $x\binom xk$ every polynomial of degree at most $n$ in $t$ is a sum of
-  $\binom{t/\delta}0,\dots,\binom{t/\delta}n$, by induction.  With $\delta=0$ all differences are 0.
+  $\binom{t/\delta}0,\dots,\binom{t/\delta}n$, by induction; each coordinate of a vector alone.  With $\delta=0$ all differences of order 1 and more
+  are 0.
 :degrees: all
 :over: k c: -; x: t
 :control: $\frac{x-k}k$ in the place of $\frac{x-k+1}k$

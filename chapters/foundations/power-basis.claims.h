@@ -43,7 +43,7 @@ a vertical tangent at $t=\frac12$.
 :data: c = (1,0) (-4,1) (4,0); t = 1/2; x = 1/4 -1/4
 :instead: c = (-1,0) (2,1) (0,0)
 :then: at $t$ the component $x'$ is 0 and $P'\ne0$; over the first abscissa there are two points, over the second none
-:result: P'(t) = (0,1); points over x = 2 0
+:result: P'(t) = (0,1); numbers of points over the two abscissas = 2 0
 :method: The derivatives by the kernel; the parameters with $x(t)=x$ are counted as roots.
 :control: a line in the place of the parabola
 :::
@@ -61,7 +61,7 @@ CLAIM(parabola_across_has_no_slope)
         points[k] = from_int(count_roots(gap, from_int(0), from_int(1), CLOSED).distinct);
     }
     found_points(T, "P'(t)", 1, 2, D + 2);
-    found_points(T, "points over x", 2, 1, points);
+    found_points(T, "numbers of points over the two abscissas", 2, 1, points);
     agree(T, is_zero_q(D[2]) && !is_zero_q(D[3]));
     same(T, points[0], from_int(2));
     same(T, points[1], from_int(0));
@@ -147,7 +147,7 @@ first at which it changes its side within the plane.  Lines have to be excepted,
 :figure: degrees_two_and_three
 
 The table of contents of the source has a section on uniform quadratic and cubic B-spline surfaces (§ 6-2); the parameter lines of a quadratic one are curves of
-pieces of degree 2.  Lines are excepted in the correction, as their curvature is 0 everywhere.
+pieces of degree 2, so that these are in use.  Lines are excepted in the correction, as their curvature is 0 everywhere.
 :::
 
 :::{claim} quadratic_curve_is_in_use

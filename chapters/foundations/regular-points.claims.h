@@ -99,10 +99,11 @@ direction; each of the two parameters has its one tangent, the point has two.
 :holds-by: direction_is_near_where_the_vector_is
 :confirmed-by: quotient_of_a_power_tends_to_its_derivative polynomial_without_constant_is_small_near_zero chord_turns_into_the_derivative
 :meant: the definition just before it, which is of a parameter $t_0$ | A regular point is a parameter of the curve, and its tangent the limit of the chords.
-:reading: direction_is_near_where_the_vector_is | A regular point is a parameter, as in the definition: it has one tangent.
-:reading: double_point_has_two_tangents | It is a point of the plane: one that is passed twice, at a loop, has a tangent for each passage,
-  though both parameters are regular.
+:reading: direction_is_near_where_the_vector_is | at a regular point, a parameter as in the definition, there is one tangent
+:reading: double_point_has_two_tangents | at a point of the plane or of space that is passed at regular parameters only, there is one tangent
 :figure: regular_double_point
+
+A point that is passed twice, at a loop, has a tangent for each passage, though both parameters are regular.
 :::
 */
 
@@ -468,7 +469,7 @@ by what the point does after it, and this leads to the source's last example, wh
 :instead: c = 0 6 -15 10
 :then: $\phi'$ is not negative on $[0,1]$ and vanishes at $t$ only, where the curve is singular; the curve runs from $(0,0)$ to $(1,1)$
   once and never back, and has the tangent $(1,1)$ everywhere
-:result: φ' = "12*t^2 - 12*t + 3"; φ'(t) = 0; zeros of φ' in [0,1] = 1
+:result: φ' = "12*t^2 - 12*t + 3"; φ'(t) = 0; number of zeros of φ' = 1
 :method: $\phi$ at the ends, the sign of $\phi'$ and its zeros on $[0,1]$ by root counts; that it is singular nowhere, or goes back
   somewhere, is refuted.
 :control: a cubic that goes back
@@ -484,7 +485,7 @@ CLAIM(singular_point_of_a_plain_segment)
     int zeros = count_roots(speed, zero, one, CLOSED).distinct;
     found_text(T, "φ'", poly_to_string(speed, "t"));
     found(T, "φ'(t)", poly_value(speed, t));
-    found_whole(T, "zeros of φ' in [0,1]", zeros);
+    found_whole(T, "number of zeros of φ'", zeros);
     about(T, "a point being singular, whether the curve goes back somewhere");
     refute(T, whole_segment && zeros > 0 && sign_on(speed, zero, one, CLOSED) == SIGN_NONNEGATIVE);
 }
@@ -658,7 +659,7 @@ CLAIM(point_moves_backward_in_between)
 :data: c = 0 6 -15 10; t = 0 1/2 1
 :instead: c = 0 12 -15 10
 :then: $\phi'$ is positive at the ends, negative in the middle, and has two roots, both changes of sign, in $(0,1)$
-:result: φ'(t) = 6 -3/2 6; roots, changes of sign = 2 2
+:result: φ'(t) = 6 -3/2 6; numbers of roots, of changes of sign = 2 2
 :method: Root counts and values, exactly.
 :scope: the stated line
 :where: $0\le t\le1$
@@ -675,7 +676,8 @@ CLAIM(point_moves_forward_back_and_forward)
     for (int k = 0; k < 3; k++)
         slope[k] = poly_value(speed, t[k]);
     found_points(T, "φ'(t)", 3, 1, slope);
-    found_points(T, "roots, changes of sign", 2, 1, (num[]){from_int(roots.distinct), from_int(roots.crossings)});
+    found_points(T, "numbers of roots, of changes of sign", 2, 1,
+                 (num[]){from_int(roots.distinct), from_int(roots.crossings)});
     agree(T, roots.distinct == 2 && roots.crossings == 2);
     agree(T, sign_q(slope[0]) > 0 && sign_q(slope[2]) > 0);
     agree(T, sign_q(slope[1]) < 0);
