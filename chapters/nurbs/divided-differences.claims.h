@@ -507,7 +507,7 @@ The determinant is a product of factorials and differences, none of them 0.  The
 :title: A node listed twice as if it were two makes the system singular
 :zh: 相同节点若分列则方程组奇异
 :kind: counterexample
-:given: $k=1$, a number of nodes with their multiplicities $l$: two equal ones, each of multiplicity 1
+:given: $k=1$, the number of nodes that are listed, the list $\tau$ and the multiplicities $l$: twice the same node, each time with multiplicity 1
 :data: nodes = 2; τ = 1 1; l = 1 1
 :instead: nodes = 1; τ = 1; l = 2
 :then: $\det H=0$
