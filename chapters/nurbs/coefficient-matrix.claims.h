@@ -493,6 +493,7 @@ CLAIM(column_by_differences_is_the_function)
 :argued: every k | Summed over the $\tau_\lambda>t_r$ alone, the lines of the proof are true for every $k$ (`thm-4.4.1-step-1`, `thm-4.4.1-step-2`, `thm-4.4.1-step-expansion`,
   `thm-4.4.1-step-collect`).
 :confirmed-by: summation_orders_agree
+:needs: polynomial_of_a_span_ends_with_it | (4.4.11), whose coefficients they are: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices
