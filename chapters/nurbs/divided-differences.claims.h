@@ -860,6 +860,7 @@ The places are the numbers $0,\dots,k$, each once.  The order that is told is $k
 :printed: \alpha_{ii}(T)\ \text{depends on }T\text{ and not on }f
 :holds-by: printed_weights_give_divided_difference weights_are_the_only_ones
 :argued: every order | The lemma is true for every $k$, and data of which one is 1 and the others are 0 give the weights one by one.
+:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are counted by multiplicity: so the $\tau_i$ differ
 :meant: (4.4.9), whose numbers are the $\alpha_{ij}(T)$ | All $\alpha_{ij}(T)$, of which the indices are printed $ii$, see `notation-4.4`.
 
 Only nodes and multiplicities enter the cofactors, and because the values of $f$ are free no other weights give the divided difference of every $f$.  The order that is told is $k$, that of the divided difference.
