@@ -84,6 +84,7 @@ CLAIM(empty_span_has_no_parameter)
 :confirmed-by: coefficient_matrix_is_affinely_invariant
 :argued: its being the only one | The points are arbitrary, and the powers of $u$ independent.
 :needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
+:needs: polynomial_of_a_span_ends_with_it | (4.4.1): $t_r\le t<t_{r+1}$ | $t$ lies in the span
 :figure: matrices_of_merging_knots
 :::
 */
@@ -98,7 +99,7 @@ pattern of coincident knots.
 :zh: 矩阵各列为基函数的幂系数
 :given: every pattern of the 2k knots around a span up to the order 4, the different knots variables; for greater
   orders in the field the two extreme patterns, and random patterns in the other number types
-:then: $\sum_ja_{ji}u^j=N_{i,k}(t_r+u(t_{r+1}-t_r))$ with the matrix of `bspline_matrix`, for all $i$ and any $u$
+:then: $\sum_ja_{ji}u^j=N_{i,k}(t_r+u(t_{r+1}-t_r))$ with the matrix of `bspline_matrix`, for all $i$ and any $u$, with the polynomials of the span for the $N_{i,k}$
 :method: The kernel multiplies polynomials; the other side is the recursion of Cox and de Boor at a variable $u$, with
   the rule $0/0=0$ decided by the pattern.
 :degrees: 0..5 sampled 7
@@ -293,6 +294,7 @@ CLAIM(affine_points_need_the_weights)
   coefficients are a column of the matrix.
 :confirmed-by: coefficient_rows_have_fixed_sums
 :needs: empty_span_has_no_parameter | definition 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not empty
+:needs: polynomial_of_a_span_ends_with_it | (4.4.2), whose matrix it is: $0\le u<1$ | $t$ lies in the span
 :figure: matrices_of_merging_knots
 
 Row $j$ belongs to $u^j$, column $i$ to $N_{i,k}$.
@@ -493,6 +495,7 @@ CLAIM(column_by_differences_is_the_function)
 :argued: every k | Summed over the $\tau_\lambda>t_r$ alone, the lines of the proof are true for every $k$ (`thm-4.4.1-step-1`, `thm-4.4.1-step-2`, `thm-4.4.1-step-expansion`,
   `thm-4.4.1-step-collect`).
 :confirmed-by: summation_orders_agree
+:needs: polynomial_of_a_span_ends_with_it | (4.4.11), whose coefficients they are: $t\in[t_r,t_{r+1})$ | $t$ lies in the span
 :needs: empty_span_has_no_parameter | theorem 4.4.1: the interval $[t_r,t_{r+1})$ is not empty | the span is not
   empty
 :figure: both_matrices

@@ -493,8 +493,7 @@ CLAIM(confluent_vandermonde_determinant_is_product)
 :holds-by: confluent_vandermonde_determinant_is_product system_says_osculation
 :argued: every order | The determinant is the product for every $k$ (`formula-4.4.6-determinant`), and the rows say for every $k$ what osculation asks (`formula-4.4.6-right-side`).
 :meant: the determinant before it, that of $H(T;1,t,\dots,t^k)$ | (4.4.6) as corrected in `formula-4.4.6` and `formula-4.4.6-right-side`.
-:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are
-  counted by multiplicity: so the $\tau_i$ differ
+:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are counted by multiplicity: so the $\tau_i$ differ
 :figure: osculating_polynomial
 
 The determinant is a product of factorials and differences, none of them 0.  The order that is told is $k$, that of the divided difference.
@@ -507,12 +506,12 @@ The determinant is a product of factorials and differences, none of them 0.  The
 :title: A node listed twice as if it were two makes the system singular
 :zh: 相同节点若分列则方程组奇异
 :kind: counterexample
-:given: $k=1$, a number of nodes with their multiplicities $l$: two equal ones, each of multiplicity 1
+:given: $k=1$, the number of nodes that are listed, the list $\tau$ and the multiplicities $l$: twice the same node, each time with multiplicity 1
 :data: nodes = 2; τ = 1 1; l = 1 1
 :instead: nodes = 1; τ = 1; l = 2
-:then: $\det H=0$
-:result: rows of H = (1,1) (1,1); det H = 0
-:method: The determinant is computed; that it is not 0 is what is compared.
+:then: $\det H=0$, and so is the product that is printed for it and in (4.4.9): (4.4.7) and the weights divide by 0
+:result: rows of H = (1,1) (1,1); det H = 0; the product = 0
+:method: The determinant and the product are computed; that they are not 0 is what is compared.
 :control: one node of multiplicity 2
 :::
 */
@@ -525,11 +524,12 @@ CLAIM(node_listed_twice_makes_h_singular)
     for (int i = 0; i < d; i++)
         l[i] = (int)to_double_q(size[i]);
     G(osculation_matrix)(d, l, 1, tau, H);
-    num determinant = G(determinant)(2, H);
+    num determinant = G(determinant)(2, H), product = G(printed_determinant)(d, l, tau);
     found_points(T, "rows of H", 2, 2, H);
     found(T, "det H", determinant);
-    about(T, "det H is not 0");
-    refute(T, is_zero_q(determinant));
+    found(T, "the product", product);
+    about(T, "det H or the product is not 0");
+    refute(T, is_zero_q(determinant) && is_zero_q(product));
 }
 #endif
 
@@ -554,8 +554,7 @@ the last unknown of the system.  The lemma of the source expands the upper deter
 :::{claim} divided_difference_is_leading_coefficient
 :title: The table of divided differences gives the leading coefficient
 :zh: 差商表给出首项系数
-:given: every set of multiplicities of $k+1$ nodes, the nodes and the coefficients of a polynomial of degree $k$
-  variables
+:given: every set of multiplicities of $k+1$ nodes, the nodes and the coefficients of a polynomial of degree $k$ variables
 :then: `divided_difference` of its values and derivatives is $c_k$
 :method: The table has nothing of $f$ but its values and derivatives at the nodes, which are those of a $g$ that osculates $f$; so it
   is enough to know the claim for polynomials $g$.
@@ -635,6 +634,7 @@ CLAIM(table_step_in_every_order)
 :holds-by: cramers_rule_gives_divided_difference divided_difference_is_leading_coefficient
 :argued: every k | The difference is $c_k$ for every $k$ (`divided-difference-is-leading-coefficient`).  $f$ and $g$ have the same data, so the last column of the upper determinant is the sum of $c_m$ times the columns of the powers.  A column that is there twice adds
   nothing, and the determinant is $c_k$ times the lower one, which is not 0 (`formula-4.4.6-determinant`).
+:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are counted by multiplicity: so the $\tau_i$ differ
 :::
 
 :::{claim} cramers_rule_gives_divided_difference
@@ -675,6 +675,7 @@ CLAIM(cramers_rule_gives_divided_difference)
 :holds-by: printed_weights_give_divided_difference
 :argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
   do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
+:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are counted by multiplicity: so the $\tau_i$ differ
 :figure: osculating_polynomial
 :::
 */
@@ -750,6 +751,7 @@ CLAIM(printed_weights_give_divided_difference)
 :holds-by: printed_weights_give_divided_difference
 :argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
   do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
+:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are counted by multiplicity: so the $\tau_i$ differ
 :figure: osculating_polynomial
 
 The sum is that of `lemma-4.4.1`, and the number (4.4.8) stands at it.
@@ -789,6 +791,7 @@ CLAIM(places_count_the_rows)
 :holds-by: cramers_rule_gives_divided_difference printed_weights_give_divided_difference confluent_vandermonde_determinant_is_product
 :argued: every order | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
   do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
+:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are counted by multiplicity: so the $\tau_i$ differ
 
 The order that is told is $k$, that of the divided difference.
 :::
@@ -801,6 +804,7 @@ The order that is told is $k$, that of the divided difference.
 :holds-by: printed_weights_give_divided_difference
 :argued: every k | The upper determinant of (4.4.7), which is true for every $k$, expanded by its last column: in row $b(i,j)$, counted from 0, stands $f^{(j)}(\tau_i)$, and the cofactors there
   do not contain $f$; the lower one is the product (`formula-4.4.6-determinant`).
+:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are counted by multiplicity: so the $\tau_i$ differ
 :meant: the words behind the formula: $\beta_i$ $(i=0,1,\dots,k)$ | The elements of the last column are counted from 0.
 :reading: counting_from_one_shifts_the_weights | with the elements of the last column counted from 1, so that $\beta_1$ belongs to the first, the $\alpha_{ij}(T)$ are the weights of
   (4.4.8)
@@ -856,10 +860,10 @@ The places are the numbers $0,\dots,k$, each once.  The order that is told is $k
 :printed: \alpha_{ii}(T)\ \text{depends on }T\text{ and not on }f
 :holds-by: printed_weights_give_divided_difference weights_are_the_only_ones
 :argued: every order | The lemma is true for every $k$, and data of which one is 1 and the others are 0 give the weights one by one.
+:needs: node_listed_twice_makes_h_singular | (4.4.5): $\tau_1<\tau_2<\dots<\tau_d$ | equal nodes are counted by multiplicity: so the $\tau_i$ differ
 :meant: (4.4.9), whose numbers are the $\alpha_{ij}(T)$ | All $\alpha_{ij}(T)$, of which the indices are printed $ii$, see `notation-4.4`.
 
-Only nodes and multiplicities enter the cofactors, and because the
-values of $f$ are free no other weights give the divided difference of every $f$.  The order that is told is $k$, that of the divided difference.
+Only nodes and multiplicities enter the cofactors, and because the values of $f$ are free no other weights give the divided difference of every $f$.  The order that is told is $k$, that of the divided difference.
 :::
 
 That the weights do not depend on $f$ can be read off.  That they are the only ones that serve for all $f$ follows

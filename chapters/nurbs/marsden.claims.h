@@ -633,11 +633,13 @@ CLAIM(empty_span_has_no_level)
 :printed: using (4.4.15) recursively one has
   $\sum_{i=r-k+1}^r\omega_{i,k}(x)N_{i,k}(t)=(x-t)\sum_{i=r-k+2}^r\omega_{i,k-1}(x)N_{i,k-1}(t)=\dots=(x-t)^{k-1}\omega_{r,1}(x)
   N_{r,1}(t)=(x-t)^{k-1}$
-:holds-by: marsden_step_for_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
+:holds-by: marsden_step_for_every_order one_level_in_every_order outer_functions_are_made_of_outer_ones divisors_contain_the_span
 :confirmed-by: every_link_of_the_chain
 :needs: marsden_identity_ends_with_the_span | theorem 4.4.2: $t\in[t_r,t_{r+1})$ | $t$ lies in the span whose functions are
   summed
 :figure: marsden_identity
+
+It is written for $k>1$, as (4.4.15) is: for $k=1$ the second member would be an empty sum.  At its end $\omega_{r,1}(x)$ and, on the span, $N_{r,1}(t)$ are 1.
 :::
 
 So each step lowers the order by 1 and leaves a factor behind, until one function is left, which is 1 on the span.
