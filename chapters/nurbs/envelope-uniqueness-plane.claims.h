@@ -418,8 +418,9 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :figure: nurbs_folded_line
 
 Members may have points that $\mathbf r$ has not: in both examples there is one.  In the first $\mathbf r'\ne0$ on the closed span, and $\mathbf r$ runs
-through its segment once; the pair is on the line $t=0$, on which $\tau$ varies and the point moves, so that no hypothesis of `formula-4.3.9` is violated.  The second is
-a constant $\tau(t)$, one member: a joint solution, too, but no curve that passes from member to member.
+through its segment once; the pair is on the line $t=0$, on which $\tau$ varies and the point moves, so that no hypothesis of `formula-4.3.9` is violated.  As
+every pair is a solution, this one belongs to every function $\tau(t)$ with this value at $t=0$, too, whether constant or not.  The second is a constant $\tau(t)$, one member: a joint solution, too, but no curve
+that passes from member to member.
 :::
 
 Even the straight segment is not as harmless as it looks.  If all members are on a line, every pair satisfies the
