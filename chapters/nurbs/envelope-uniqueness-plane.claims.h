@@ -288,7 +288,7 @@ CLAIM(family_moves_with_its_points)
 :figure: nurbs_second_line
 
 (4.3.13) is the third coordinate of (4.3.9), the two others being 0.  In the examples, which are straight segments, $\tau$ is a function of $t$; if the segment is not straight,
-$\tau=t$ is the only continuous one, see `thm-4.3.2-otherwise`.  The lines $t=t_0$ of (4.3.10), on which $\tau$ is none, are then left out.
+$\tau=t$ is the only continuous one, see `thm-4.3.2-otherwise`.  The lines $t=t_0$, on which $\tau$ is no function of $t$, see (4.3.10), are then left out.
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-plane-condition
@@ -504,7 +504,7 @@ CLAIM(folded_line_has_another_solution)
 }
 
 /*
-Functions $\tau(t)$ that are no envelopes are found on straight segments only: one whose member is a point, and one whose points are.
+On straight segments there are functions $\tau(t)$ that are no envelopes, constant or not: one passes a member that is a point, another has one point only.
 
 :::{claim} member_at_a_fold_is_one_point
 :title: Where a straight segment turns back, the member of this parameter may be one point
