@@ -281,14 +281,14 @@ CLAIM(family_moves_with_its_points)
   t,\tau<t_{j+1}$, where $\tau=\tau(t)$
 :holds-by: touching_curve_satisfies_the_condition
 :confirmed-by: first_level_condition_factors
-:hypothesis: member_that_stands_still_is_not_touched | $\partial_t\mathbf r^{[k-1]}\ne0$; as for (4.3.9)
-:hypothesis: solutions_at_a_cusp_have_one_point | $\mathbf r^{[k-1]}$ is not constant on the solution; as for (4.3.9)
+:hypothesis: member_at_a_fold_is_one_point | $\partial_t\mathbf r^{[k-1]}\ne0$; where it is 0 the member may be one point, which has no tangent
+:hypothesis: opposite_parameters_have_one_point | $\mathbf r^{[k-1]}$ is not constant on the solution; where it is, the solution is no curve
 :hypothesis: folded_line_has_another_solution | $\tau$ is not constant on the solution; as for (4.3.9)
 :meant: the same notion as in (4.3.9) | A curve that passes from member to member and is tangent to each; for $\tau=\tau(t)$ see (4.3.10).
 :figure: nurbs_second_line
 
-(4.3.13) is the third coordinate of (4.3.9), the two others being 0.  On the lines $t=t_0$ of the first two examples $\tau$ is no function of $t$; where only continuous functions
-$\tau=\tau(t)$ are looked for, these lines are left out, and if the segment is not straight $\tau=t$ is the only solution, see `thm-4.3.2-otherwise`.
+(4.3.13) is the third coordinate of (4.3.9), the two others being 0.  In the examples, which are straight segments, $\tau$ is a function of $t$; if the segment is not straight,
+$\tau=t$ is the only continuous one, see `thm-4.3.2-otherwise`.  The lines $t=t_0$, on which $\tau$ is no function of $t$, see (4.3.10), are then left out.
 :::
 
 :::{statement} wang-ch4:thm-4.3.2-plane-condition
@@ -418,8 +418,9 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :figure: nurbs_folded_line
 
 Members may have points that $\mathbf r$ has not: in both examples there is one.  In the first $\mathbf r'\ne0$ on the closed span, and $\mathbf r$ runs
-through its segment once; the pair is on the line $t=0$, on which $\tau$ varies and the point moves, so that no hypothesis of `formula-4.3.9` is violated.  The second is
-a constant $\tau(t)$, one member: a joint solution, too, but no curve that passes from member to member.
+through its segment once; the pair is on the line $t=0$, on which $\tau$ varies and the point moves, so that no hypothesis of `formula-4.3.9` is violated.  As
+every pair is a solution, this one belongs to every function $\tau(t)$ with this value at $t=0$, too, whether constant or not.  The second is a constant $\tau(t)$, one member: a joint solution, too, but no curve
+that passes from member to member.
 :::
 
 Even the straight segment is not as harmless as it looks.  If all members are on a line, every pair satisfies the
@@ -500,6 +501,76 @@ CLAIM(folded_line_has_another_solution)
     found_whole(T, "parameters with this point", places);
     about(T, "the point is on the segment");
     agree(T, places > 0);
+}
+
+/*
+On straight segments there are functions $\tau(t)$ that are no envelopes, constant or not: one passes a member that is a point, another has one point only.
+
+:::{claim} member_at_a_fold_is_one_point
+:title: Where a straight segment turns back, the member of this parameter may be one point
+:zh: 直线段折返处的族曲线可退化为一点
+:kind: counterexample
+:given: a quadratic segment over the simple knots $t_i$, its points $r_i$ on a line and the first the same as the last, weights 1; $r=1$, the function
+  $\tau(t)=t$ at the $t$ where the segment turns back, and another parameter $t^*$ of the member
+:data: t_i = 0 1 2 3 4 5; r_i = (0,0) (1,1) (0,0); τ = 5/2; t = 5/2; t* = 9/4
+:instead: τ = 9/4; t = 9/4; t* = 5/2
+:then: (4.3.13) is satisfied, and $\partial_t\mathbf r^{[k-1]}=0$ on the whole member, which is one point
+:result: point of the member = (3/4,3/4); its derivatives by t and τ = (0,0) (0,0); point at t* = (3/4,3/4)
+:method: The member is of degree 1 in $t$: it is one point if it has the same point at two $t$.
+:control: another $t$, with $\tau=t$
+:::
+*/
+CLAIM(member_at_a_fold_is_one_point)
+{
+    num u[6], R[6], w[3] = {from_int(1), from_int(1), from_int(1)}, X[2], D[6];
+    given_points(T, "t_i", 6, 1, u);
+    given_points(T, "r_i", 3, 2, R);
+    num tau = given(T, "τ"), t = given(T, "t"), there = given(T, "t*");
+    int satisfied = G(pair_in_the_square)(T, 2, 2, u, 2, R, w, 1, tau, t, X);
+    G(family_derivatives)(2, 2, u, 2, R, w, 1, tau, there, D);
+    found_points(T, "point at t*", 1, 2, D);
+    about(T, "the two points of the member differ");
+    refute(T, satisfied && !equal_q(t, there) && equal_q(X[0], D[0]) && equal_q(X[1], D[1]));
+}
+
+/*
+:::{claim} opposite_parameters_have_one_point
+:title: On a straight segment the points of a solution may all be the same
+:zh: 直线段上一个解 τ(t) 可只给出一点
+:kind: counterexample
+:given: the segment $(t,t)$ as one of degree 2 over the simple knots $t_i$, weights 1; $r=1$, three $t$ and for each its $\tau(t)=t_j+t_{j+1}-t$
+:data: t_i = 0 1 2 3 4 5; r_i = (3/2,3/2) (5/2,5/2) (7/2,7/2); t = 9/4 5/2 11/4; τ = 11/4 5/2 9/4
+:instead: τ = 9/4 5/2 11/4
+:then: (4.3.13) is satisfied with $\partial_t\mathbf r^{[k-1]}\ne0$; with this $\tau(t)$, which is not constant, the point is the same for every $t$
+:result: points = (5/2,5/2) (5/2,5/2) (5/2,5/2); derivatives by t = (1/2,1/2) (1/2,1/2) (1/2,1/2)
+:method: The member is of degree 1 in $t$ and in $\tau$, so that its point is of degree 2 in $t$ for this $\tau(t)$: it is the same for every $t$ if it is for three.
+:control: $\tau=t$
+:::
+*/
+CLAIM(opposite_parameters_have_one_point)
+{
+    enum { PLACES = 3 };
+    num u[6], R[6], w[3] = {from_int(1), from_int(1), from_int(1)}, t[PLACES], tau[PLACES], D[6];
+    num point[2 * PLACES], by_t[2 * PLACES];
+    int satisfied = 1, one_point = 1;
+    given_points(T, "t_i", 6, 1, u);
+    given_points(T, "r_i", 3, 2, R);
+    given_points(T, "t", PLACES, 1, t);
+    given_points(T, "τ", PLACES, 1, tau);
+    for (int m = 0; m < PLACES; m++) {
+        G(family_derivatives)(2, 2, u, 2, R, w, 1, tau[m], t[m], D);
+        satisfied &= G(is_pair_of_span)(u, 2, t[m], tau[m]) && is_zero_q(G(cross2)(D + 2, D + 4));
+        for (int c = 0; c < 2; c++) {
+            point[2 * m + c] = D[c];
+            by_t[2 * m + c] = D[2 + c];
+            one_point &= equal_q(point[2 * m + c], point[c]);
+        }
+        satisfied &= !is_zero_q(D[2]) && !is_zero_q(D[3]);
+    }
+    found_points(T, "points", PLACES, 2, point);
+    found_points(T, "derivatives by t", PLACES, 2, by_t);
+    about(T, "the points differ");
+    refute(T, satisfied && one_point);
 }
 
 /*

@@ -26,7 +26,7 @@ $(t,\tau)$ together, and not for the single pair at hand.
   derivative_by_tau_is_that_of_the_level_before
 :figure: order_and_level
 
-Three misprints: (4.3.16) is no alternative but the form of every solution; no $\mathbf p_i^{[r-1]}$ is defined, and the example has $\mathbf r_i^{[r-1]}$ for it; and
+Three misprints: (4.3.16) is no alternative but the form in which the solutions are looked for; no $\mathbf p_i^{[r-1]}$ is defined, and the example has $\mathbf r_i^{[r-1]}$ for it; and
 by (4.3.3) the superscript of $\mathbf r^{[r-1]}(t,\tau)$ is an order, while those of (4.3.17) count levels.  Put
 right, the alternative is true for a stronger reason: for $\tau\ne t$ the vector product of the last two factors is 0.
 :::

@@ -650,7 +650,7 @@ Positive weights $w_i$ make the weights of the levels and of the member positive
 :zh: 第二种情形:混合积之和
 :printed: \tau(t)=t\text{ or }\sum_{i=j-k+1}^jN_{i,k}(t)\,w_i\cdot(\mathbf r_i,\mathbf r'(t),\mathbf r''(t))=0
 :holds-by: triple_product_is_that_of_the_point
-:reading: triple_product_is_that_of_the_point | it follows from the equation before it, that of `thm-4.3.2-dot`
+:reading: triple_product_is_that_of_the_point | it follows, $W$ not being 0, from the equation before it, that of `thm-4.3.2-dot`
 :reading: first_level_condition_factors | it holds for the joint solutions of (4.3.3) and (4.3.9) | For $\tau\ne t$ the condition says $\mathbf r'\times\mathbf r''=0$, so that each term of the sum is 0.
 :reading-with: first_level_follows_the_tangent
 :needs: member_of_weight_zero_leaves_the_sum_open | definition 4.1.1: $w_i>0$ | the weight $W$ of the member is not 0:
