@@ -102,6 +102,11 @@ static const char *free_letter(const cagd_reader *r)
     return "m";
 }
 
+static int refuse_equal(cagd_reader *r, const cagd_tree *first)
+{
+    return cagd_refuse_tree(r, first, "the numbers of the list are all the same") != NULL;
+}
+
 /* Without an end, by another step than 1: refused with the numbers in the words of those one behind another. */
 static int refuse_steps_without_end(cagd_reader *r, const char *letter, const cagd_tree *low, long step)
 {
@@ -109,6 +114,8 @@ static int refuse_steps_without_end(cagd_reader *r, const char *letter, const ca
     long first = low->kind == CAGD_NUMBER && mpz_fits_sshort_p(mpq_numref(low->number.at))
                      ? mpz_get_si(mpq_numref(low->number.at))
                      : 0;
+    if (step == 0)
+        return refuse_equal(r, low);
     if (step < 0)
         return cagd_refuse_tree(r, low, "a list that goes down without end") != NULL;
     if (first % step == 0)
@@ -126,7 +133,9 @@ static int progression(cagd_reader *r, cagd_list *list, const cagd_tree *first, 
 {
     long all, behind;
     if (cagd_difference_is_number(first, last, &all) && cagd_difference_is_number(shown, last, &behind)) {
-        if (step == 0 || all % step != 0)
+        if (step == 0)
+            return refuse_equal(r, first);
+        if (all % step != 0)
             return cagd_refuse_tree(r, last,
                                     "the last number is none of those that the first ones go to by steps of %ld",
                                     labs(step)) != NULL;
@@ -134,7 +143,7 @@ static int progression(cagd_reader *r, cagd_list *list, const cagd_tree *first, 
             return cagd_refuse_tree(r, last, "the last number of the list stands before one that is shown") != NULL;
     }
     if (step == 0)
-        return cagd_refuse_tree(r, first, "the numbers of the list are all the same") != NULL;
+        return refuse_equal(r, first);
     list->low = step > 0 ? first : last, list->high = step > 0 ? last : first;
     list->step = labs(step);
     return 1;
