@@ -495,7 +495,7 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 :figure: two_cubes_and_their_image
 
 For the source's own points and translation the curve is a segment in the one system and, in the other, an arc of which no part is straight: the
-shape is another.
+shape is another.  That it is not proper follows because the section demands that the invariance of shape be guaranteed.
 :::
 
 :::{claim} image_of_the_example_is_not_the_translated_curve
