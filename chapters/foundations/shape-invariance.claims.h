@@ -21,7 +21,7 @@ Two things are said of shapes before the example: that a body has its place for 
 a shape is not a function.
 
 :::{statement} hu-1987:1-2-interference
-:title: That two bodies have not one place has to be examined
+:title: That two bodies do not occupy one place has to be examined
 :zh: 空间唯一性与干涉检验
 :printed: Two objects cannot occupy one space at the same time; but as shapes are described in a computer by equations and data, by means of data
   structures, this is very difficult to satisfy, and interference has to be examined.
