@@ -138,7 +138,7 @@ the data as a whole although it is far from each of them.
 The plainest description needs neither: a curve can be kept as many points, joined by segments.
 
 :::{statement} hu-1987:1-1-point-sets
-:title: A curve as a set of points takes much memory, and other disadvantages
+:title: A curve as a set of points takes much memory, and has other disadvantages
 :zh: 点集与折线表示的缺点
 :printed: In geometric design curves and surfaces can be represented by point sets, and a curve be approximated by a polyline of small
   pieces.  The disadvantages: it takes much memory, is mathematically inconvenient, and the shape is not easily controlled.

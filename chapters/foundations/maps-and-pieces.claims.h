@@ -28,6 +28,7 @@ its values; section 1-2 has moved control points, which is another thing.
 
 As a vector function a polynomial curve is mapped to $P(t)\,T+m$, which is one of the same kind, whatever its coefficients are.  A change of coordinates is a rotation $T$ and a
 translation $m$.  Then the derivatives are $P'(t)\,T$, $P''(t)\,T$, $P'''(t)\,T$, so that what their products say does not depend on the coordinates: speed, curvature and torsion.
+With another constant sum $s$ the functions make of the points $Q_iT+m$ the curve $P(t)\,T+s\,m$, which has the shape but, for $m\ne0$, not the place of $P(t)\,T+m$.
 :::
 
 :::{claim} image_of_a_power_curve_is_one
@@ -255,7 +256,7 @@ CLAIM(piece_of_a_sum_of_powers_is_one)
 :confirmed-by: curve_points_are_convex_combinations blocks_of_coefficients_are_independent
 
 Bézier curves of every degree are such curves: their points, $0\le t\le1$, are averages of the control points, and along a line $ax+by+c=0$
-the coefficients are $ax_i+by_i+c$, whose changes of sign are the crossings of the polygon.  The polynomial whose roots are counted is the value of $ax+by+c$ along
+the coefficients are $ax_i+by_i+c$, whose changes of sign are the crossings of the polygon; in space a plane takes the place of the line.  The polynomial whose roots are counted is the value of $ax+by+c$ along
 the curve; it is 0 for every $t$ when the curve is on the line.
 :::
 */

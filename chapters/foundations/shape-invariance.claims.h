@@ -21,7 +21,7 @@ Two things are said of shapes before the example: that a body has its place for 
 a shape is not a function.
 
 :::{statement} hu-1987:1-2-interference
-:title: That two bodies have not one place has to be examined
+:title: That two bodies do not occupy one place has to be examined
 :zh: 空间唯一性与干涉检验
 :printed: Two objects cannot occupy one space at the same time; but as shapes are described in a computer by equations and data, by means of data
   structures, this is very difficult to satisfy, and interference has to be examined.
@@ -495,7 +495,7 @@ CLAIM(image_of_the_example_lies_on_a_cubic)
 :figure: two_cubes_and_their_image
 
 For the source's own points and translation the curve is a segment in the one system and, in the other, an arc of which no part is straight: the
-shape is another.
+shape is another.  That it is not proper follows because the section demands that the invariance of shape be guaranteed.
 :::
 
 :::{claim} image_of_the_example_is_not_the_translated_curve

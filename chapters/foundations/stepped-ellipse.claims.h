@@ -178,7 +178,9 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
 :::{claim} second_orbit_satisfies_the_printed_equation
 :title: The points of the difference equations are on the printed ellipse
 :zh: 差分方程的点满足椭圆方程
-:given: any radius $r$ and angle $\theta$, and $\delta=\frac{\Delta\theta}2$ with $\cos\delta\ne0$, by the directions $(a_0,a_1)$ and $(b_0,b_1)$ of the halves of $\theta$ and $\delta$
+:given: any radius $r>0$ and angle $\theta$, and $\delta=\frac{\Delta\theta}2$ with $\cos\delta\ne0$, by the directions $(a_0,a_1)\ne(0,0)$ and
+  $(b_0,b_1)\ne(0,0)$ of the halves of $\theta$ and $\delta$
+:harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
 :scope: 0 < Δθ < π
 :harmless: $\cos\delta\ne0$ | it is not 0 for $0<\Delta\theta<\pi$
 :then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
@@ -343,7 +345,8 @@ CLAIM(inward_error_of_the_ellipse_is_larger)
   the one inwards; $a=1+s$
 :data: s = 1/32
 :instead: s = 0
-:then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false: the error inwards is the larger one
+:then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false: it says $2-\sqrt a\le\sqrt{2-a}$, with both sides positive, and squared twice this is $(1+a)^2-4a\le0$; so
+  the error inwards is the larger one
 :result: (1 + a)² - 4a = 1/1024
 :method: It says $2-\sqrt a\le\sqrt{2-a}$; both sides are positive, and squaring twice it becomes $(1-a)^2\le0$.
 :control: the circle
