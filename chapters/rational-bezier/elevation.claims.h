@@ -417,6 +417,8 @@ CLAIM(elevated_vertex_may_leave_the_edge)
 :printed: It is only more complicated than the elevation of polynomial Bézier curves: the ratios of cutting depend not only on the number
   of the edge but on the weights $\omega_i$, too.
 :holds-by: cutting_ratio_depends_on_edge_and_weights
+:needs: elevated_vertex_may_be_at_infinity | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights
+  are positive: so that the ratio exists on every edge
 
 Of the weights only the quotient of the two at the ends of the edge matters.  The ratio is that of the polynomial case on
 exactly those edges whose two weights are equal.

@@ -331,12 +331,22 @@ order change their sign, and so do the edges.  That leaves a sign in $R''(1)$ on
 :then: $R'(1)=\frac{n\omega_{n-1}}{\omega_n}a_n$, $R''(1)=-\frac{n(n-1)\omega_{n-2}}{\omega_n}a_{n-1}-\tilde f_1a_n$,
   $R'''(1)=\frac{n(n-1)(n-2)\omega_{n-3}}{\omega_n}a_{n-2}+\tilde g_2a_{n-1}+\tilde g_1a_n$
 :method: As at the beginning, in $s=1-t$ with the polygon reversed, where $R_{n-i}=R_n-a_n-\dots-a_{n-i+1}$, and a derivative of odd order by $t$ is minus that by $s$.
+  That reversed coefficients give the sum at $1-t$, for every $n$, is enough for $b_i=Z^i$, where $\sum B_i^n(t)b_i=(1-t+tZ)^n$: it is
+  the $n$-th power of $1-s+sZ=Z(1-t+t/Z)$, an identity in $t$ and $Z$.
 :degrees: all
-:over: n: -; a#: edges
+:over: n t Z: -; a#: edges
 :control: $-\omega_{n-1}$ for $-2\omega_{n-1}$ in $\tilde f_1$
 :::
 */
-CLAIM(derivative_vectors_at_one_in_every_degree) { G(compare_end_vectors)(T, 1); }
+CLAIM(derivative_vectors_at_one_in_every_degree)
+{
+    about(T, "reversed coefficients");
+    num t = parameter(T, "t"), Z = positive(T, "Z", 0), s = sub(from_int(1), t);
+    /* 1 - s + sZ = Z (1 - t + t/Z) */
+    same(T, add(sub(from_int(1), s), mul(s, Z)), mul(Z, add(s, div(t, Z))));
+    about(T, "the derivatives");
+    G(compare_end_vectors)(T, 1);
+}
 
 /*
 :::{claim} end_derivative_vectors_at_both_ends

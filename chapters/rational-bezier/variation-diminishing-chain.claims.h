@@ -356,7 +356,8 @@ CLAIM(root_counts_survive_the_substitution)
 :figure: roots_and_the_substitution
 
 The symbol defined just before is $Z$, without a place for the interval; in the chain a sign of summation stands for it, three
-times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  With an $l<1$ the first step can be false, and with it the
+times, and twice the range ends with the letter $l$ where it must end with the digit $1$.  By its letter it is a sum over
+all numbers of an interval; such a sum of values of a polynomial that is not $0$ has no value, and it counts no roots.  With an $l<1$ the first step can be false, and with it the
 substitution $s=\frac t{1-t}$, where the other $l$ stands: in the example the root with $s=2$ is lost.
 :::
 
