@@ -215,7 +215,7 @@ The last point has the parameter after npoints steps; the step behind it is not 
 :printed: for i = 0, ..., npoints the point number i is the value of decas at $t$: npoints+1 points of the curve are found one after the other
 :holds-by: program_ends_at_one_in_exact_arithmetic equal_steps_reach_every_part
 :argued: every degree and every npoints | Point number $i$ has the parameter $\frac iN$, $N$ being npoints, and is found by a call of decas that knows nothing of the
-  others, and computes the point for every degree, as in `slides-ch4:4-program-decas`.
+  others.  One pass of the outer loop of decas is one level of the recursion, which `slides-ch4:4-recursion` proves for every degree from 1 on, so decas computes the point; for degree 0 it makes no pass, and returns the one number of `P`.
 :confirmed-by: corrected_program_ends_at_the_last_point program_computes_the_curve
 :hypothesis: last_point_of_the_example_is_missed | the arithmetic is exact: in binary64 the last of them need not be the end of
   the curve

@@ -46,12 +46,14 @@ $Q_0'$ is $Q'(0)$ and $P_3'$ is $P'(1)$.
 :printed: $G^1$ at the joint, that is, geometric continuity of the first derivative, requires $Q_0'=aP_3'$, where $a$ should be a positive number.
 :holds-by: equal_unit_tangents_fix_the_ratio
 :needs: negative_ratio_turns_back | the line itself: $a>0$ | $a>0$: with a negative ratio the derivatives are proportional and the curve turns back
-:hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: else the tangent may be continuous although there is no such $a$
-:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition`, the condition before it, $P_3=Q_0$, and the sentence behind it, which calls this the condition (条件) for $G^1$ |
-  $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal; curves that meet have equal unit tangents if and only if there is such an $a$.
+:needs: equal_derivatives_across_a_gap | the condition before it, $P_3=Q_0$ | the curves meet: in the example $Q_0'=aP_3'$ with $a=1$, and $P_3\ne Q_0$
+:hypothesis: zero_edges_hide_a_corner | $P_3'\ne0$ and $Q_0'\ne0$: with both 0 the condition does not suffice
+:hypothesis: singular_end_has_no_ratio | $P_3'\ne0$ and $Q_0'\ne0$: with one of them 0, whichever it is, the condition is not necessary
+:meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition`, and the sentence behind it, which calls this the condition (条件) for $G^1$ |
+  $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal; the joint is $G^1$ if and only if there is such an $a$.
 :figure: joint_of_cubics
 
-$Q_0'$ is $Q'(0)$ and $P_3'$ is $P'(1)$.  In the examples $\lambda$ is $a$, and the pieces have degree 1 or 2: raised in degree they are cubics.
+$Q_0'$ is $Q'(0)$ and $P_3'$ is $P'(1)$.  In the first example $\lambda$ is $a$.  Pieces of degree 1 or 2 are cubics when they are raised in degree.
 :::
 
 The step from derivatives to edges is a division by 3, and nothing can go wrong in it.  What can go wrong was there before: a derivative
@@ -64,7 +66,7 @@ in the second the curve is as smooth as a curve can be and the condition fails.
 :printed: The condition for $G^1$ at the joint is $Q_1-Q_0=a(P_3-P_2)$.
 :holds-by: edges_in_a_ratio_give_tangents_in_that_ratio equal_unit_tangents_fix_the_ratio
 :meant: the definition of $G^k$ by the arc length, `slides-ch4:1-gk-definition`, and the word condition (条件) |
-  $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal; curves that meet have equal unit tangents if and only if there is an $a$ with which the condition holds.
+  $G^1$ says that the curves meet, and that the two unit tangents at the joint are equal; the joint is $G^1$ if and only if there is an $a$ with which the condition holds.
 :needs: equal_derivatives_across_a_gap | the condition before it, $P_3=Q_0$ | the curves meet: in the example the condition holds with $a=1$, and $P_3\ne Q_0$
 :needs: negative_ratio_of_edges_turns_back | the condition by derivatives, `slides-ch4:4-joint-g1`: $a>0$ | $a>0$
 :hypothesis: zero_edges_hide_a_corner | $P_2\ne P_3$ and $Q_0\ne Q_1$: with two edges of length 0 the condition does not suffice

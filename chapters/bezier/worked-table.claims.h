@@ -256,11 +256,11 @@ CLAIM(table_row_of_thirty_five_hundredths) { right_numbers(T, 0); }
 :corrected: x(0.35)=2.246
 :corrected-by: exact_values_of_the_table
 :meant: the head of the column, $P(t)$ | The number is the value of the curve, rounded to the digits that are printed.
-:reading: table_misses_the_second_x | the value of the curve
-:reading: rounded_factors_of_the_table | the sum with the rounded factors of the same row
+:reading: table_misses_the_second_x | the number is the value of the curve, rounded to its digits
+:reading: rounded_factors_of_the_table | the number is the sum of the points with the rounded functions of the same row as factors
 :figure: worked_table
 
-It is what the rounded factors of the row give, whose sum is 1.001.
+It is what the rounded functions of the row give as factors, whose sum is 1.001.
 :::
 
 :::{claim} table_misses_the_second_x
@@ -427,11 +427,11 @@ CLAIM(table_row_of_sixty_five_hundredths) { right_numbers(T, 1); }
 :corrected: x(0.65)=3.119
 :corrected-by: exact_values_of_the_table
 :meant: the head of the column, $P(t)$ | The number is the value of the curve, rounded to the digits that are printed.
-:reading: table_misses_the_third_x | the value of the curve
-:reading: rounded_factors_of_the_table | the sum with the rounded factors of the same row
+:reading: table_misses_the_third_x | the number is the value of the curve, rounded to its digits
+:reading: rounded_factors_of_the_table | the number is the sum of the points with the rounded functions of the same row as factors
 :figure: worked_table
 
-It is what the rounded factors of the row give.
+It is what the rounded functions of the row give as factors.
 :::
 
 :::{claim} table_misses_the_third_x
