@@ -78,8 +78,8 @@ CLAIM(curve_is_a_blend_of_three_points)
 :kind: decision
 :data: range of β = -2 1
 :instead: range of β = -3 1
-:given: the three functions of the family for $n=2$, and a range of $\beta$
-:then: their factors are all nonnegative exactly in the range; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
+:given: the three functions of the family for $n=2$, all real $\beta$
+:then: their factors are all nonnegative exactly for $-2\le\beta\le1$; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
   do not grow, for every $t\in[0,1]$
 :method: Signs of linear polynomials in $\beta$; the slopes of the factors are whole numbers.
 :scope: every real β

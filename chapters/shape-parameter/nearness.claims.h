@@ -31,7 +31,7 @@ $\beta$ can make the curve worse, in the true range of $\beta$; in the first and
 :degree: 7
 
 The weights are the functions of the family for $n=2$, whose sum is 1.  Outward is, for the curve $q$, to the right of $q'$, or along it, where the polygon turns to the left:
-$q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$, $e_k=P_{k+1}-P_k$, with the factors of the claims, none of them positive in the range;
+$q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$, $e_k=P_{k+1}-P_k$, with the factors of the claims, none of them positive for $-\frac72\le\beta\le1$;
 and where a convex polygon turns to the left by at most two right angles, the angle from $e_a$ to $e_b$ is between 0 and $\pi$, and $e_a\times e_b\ge0$.
 :::
 */

@@ -67,8 +67,8 @@ some line passes through 0.  At the left end this is $\nu_2$, and not $\nu_1$, w
 :kind: decision
 :data: range of β = -21/4 1
 :instead: range of β = -7 1
-:given: all real $\beta$, a range of it, the printed and the corrected functions $(\nu_is+\varphi_it)s^{7-i}t^i$ with $s=1-t$
-:then: all $\nu_i\ge0$, $\varphi_i\ge0$ in the range; $\nu_2<0$ for every smaller and $\varphi_0<0$ for every
+:given: all real $\beta$; the printed and the corrected functions $(\nu_is+\varphi_it)s^{7-i}t^i$ with $s=1-t$
+:then: all $\nu_i\ge0$, $\varphi_i\ge0$ for $-\frac{21}4\le\beta\le1$; $\nu_2<0$ for every smaller and $\varphi_0<0$ for every
   larger $\beta$
 :method: Function $i$ is $\nu_is+\varphi_it$ times powers that are positive in $(0,1)$, so it is nonnegative on $[0,1]$ exactly when both numbers
   are.  The sixteen factors are linear polynomials in $\beta$; their signs are decided on the interval, those of $\nu_2$ and
