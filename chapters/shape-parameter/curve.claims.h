@@ -650,7 +650,7 @@ $(\hat B_7(t),\,1-4\beta s^4t^3)$, and $\hat B_7$ rises: two sets.
 :data: β = -1; P = (0,0) (1,6) (2,10) (3,12) (4,12) (5,10) (6,6) (7,1); t = 1/4
 :result: q(t) = (27487/16384,493639/65536); reversed curve at 1-t = (28189/16384,504007/65536);
   degree of the common divisor = 0
-:given: $\beta$, a $t$, and a convex polygon
+:given: $\beta$, a $t$, and a convex polygon; printed functions
 :then: the curve of the reversed polygon at $1-t$ is not the curve at $t$; nor is any other point of the reversed curve, since
   its two coordinates minus those of $q(t)$, polynomials of the parameter, have no common root
 :method: Both points by the printed formulas; the greatest common divisor of the two polynomials has degree 0.  `hull.h` decides that the polygon is
@@ -789,7 +789,7 @@ where it is, do no harm.
 :kind: counterexample
 :data: β = 1; P = (0,0) (1,0) (2,0) (3,0) (4,0) (5,0) (6,0) (7,0); v = (0,1); t = 1/2
 :result: curve of P at t = (217/64,0); curve of P + v at t = (217/64,31/32); turns = 0 1
-:given: the right end of the range of $\beta$, points on a line, a vector $v$ across it, and the middle of the interval
+:given: the right end of the range of $\beta$, points on a line, a vector $v$ across it, and the middle of the interval; printed functions
 :then: the point of the second curve is not that of the first moved by $v$; and the shapes differ, since at 0, $t$ and 1 the first curve
   has points of a line and the second turns left
 :method: The points by the printed formulas; the turn is the sign of a determinant.

@@ -78,8 +78,8 @@ CLAIM(curve_is_a_blend_of_three_points)
 :kind: decision
 :data: range of β = -2 1
 :instead: range of β = -3 1
-:given: the three functions of the family for $n=2$, and a range of $\beta$
-:then: their factors are all nonnegative exactly in the range; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
+:given: the three functions of the family for $n=2$, all real $\beta$
+:then: their factors are all nonnegative exactly for $-2\le\beta\le1$; that of $b_1$ grows with $\beta$, those of $b_0$ and $b_2$
   do not grow, for every $t\in[0,1]$
 :method: Signs of linear polynomials in $\beta$; the slopes of the factors are whole numbers.
 :scope: every real β
@@ -405,7 +405,7 @@ pairs of edges, whose factors are powers of $s$ and $t$ times numbers.
 :zh: β 增大时曲线的侧向速度由边的转向决定
 :given: points $P_0,\dots,P_n$ of the plane, $e_k=P_{k+1}-P_k$, any $\beta$ and $t$
 :then: $q'\times\partial_\beta q=-\sum_{a<b}K_{ab}\,s^{2n-1-a-b}t^{a+b+1}\,e_a\times e_b$ with
-  $K_{ab}=\binom{n-1}a\binom{n-1}b\frac{b-a}{(n-1)^2}\bigl(2n(n-1)+\beta(n-1-2a)(n-1-2b)\bigr)$
+  $K_{ab}=\binom{n-1}a\binom{n-1}b\frac{b-a}{(n-1)^2}\cdot\bigl(2n(n-1)+\beta(n-1-2a)(n-1-2b)\bigr)$
 :method: The derivative of the curve by the kernel, $\partial_\beta q=q_{\beta+1}-q_\beta$, since the curve is linear in $\beta$; everything a
   variable.
 :degrees: 2..7 sampled 9
@@ -448,7 +448,7 @@ For every $n$ the numbers $K_{ab}$ come from the coefficients of one edge in the
 :let: $\partial_\beta q=st\sum_kc_ke_k$ with $c_k=\gamma_k\frac{n-1-2k}{n-1}p_k$, which is $\bigl(\binom{n-2}k-\binom{n-2}{k-1}\bigr)p_k$; the
   derivative of $st\,p_k$ is $p_k\bigl((k+1)s-(n-k)t\bigr)$, so that $q'=\sum_kd_ke_k$ with
   $d_k=n\gamma_kp_k+\beta\gamma_k\frac{n-1-2k}{n-1}p_k\bigl((k+1)s-(n-k)t\bigr)$
-:then: $(d_ac_b-d_bc_a)\,st=-\gamma_a\gamma_b\frac{b-a}{(n-1)^2}\bigl(2n(n-1)+\beta(n-1-2a)(n-1-2b)\bigr)\,st\,p_ap_b$
+:then: $(d_ac_b-d_bc_a)\,st=-\gamma_a\gamma_b\frac{b-a}{(n-1)^2}\cdot\bigl(2n(n-1)+\beta(n-1-2a)(n-1-2b)\bigr)\,st\,p_ap_b$
 :method: An identity with $n$, $a$, $b$, $\gamma_a$, $\gamma_b$, $p_a$, $p_b$, $\beta$, $t$ variables; for $c_k$ with
   $\binom{n-2}k=\gamma_k\frac{n-1-k}{n-1}$ and $\binom{n-2}{k-1}=\gamma_k\frac k{n-1}$, for $q'$ with $n\gamma_kp_k$, the coefficient of the
   edge in the derivative of the Bézier curve.

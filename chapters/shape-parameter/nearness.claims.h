@@ -16,7 +16,7 @@ $\beta$ can make the curve worse, in the true range of $\beta$; in the first and
 :::{statement} deng-zhang-2022:property-3.5
 :title: The larger beta, the closer the curve to its polygon
 :zh: β 越大越逼近控制多边形
-:printed: when $\beta$ grows the curve approximates the control polygon better
+:printed: when $\beta$ grows the curve approximates the control polygon better (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon larger_beta_is_worse_for_a_convex_polygon
 :class: false
 :corrected: with the corrected functions (`sec-2-properties`), for fixed $t$ the point moves with $\beta$ evenly, or not at all, on the straight line through it with
@@ -31,7 +31,7 @@ $\beta$ can make the curve worse, in the true range of $\beta$; in the first and
 :degree: 7
 
 The weights are the functions of the family for $n=2$, whose sum is 1.  Outward is, for the curve $q$, to the right of $q'$, or along it, where the polygon turns to the left:
-$q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$, $e_k=P_{k+1}-P_k$, with the factors of the claims, none of them positive in the range;
+$q'\times\partial_\beta q$ is the sum over $a<b$ of $e_a\times e_b$, $e_k=P_{k+1}-P_k$, with the factors of the claims, none of them positive for $-\frac72\le\beta\le1$;
 and where a convex polygon turns to the left by at most two right angles, the angle from $e_a$ to $e_b$ is between 0 and $\pi$, and $e_a\times e_b\ge0$.
 :::
 */
@@ -88,8 +88,8 @@ than the Bézier curve of $\beta=0$: the largest distance is greater there than 
 :data: P = (-1,-2) (2,0) (3,1) (4,3) (-2,4) (-4,-2) (-4,-3) (-3,-3); β = -21/4 1; r² = 24/5
 :instead: β = 1 -21/4
 :result: t of a farther point = 35/64 35/64
-:given: a convex polygon, the two ends of the true range of $\beta$, and the square of a distance; printed and corrected
-  functions
+:given: a convex polygon, the two ends of the range of $\beta$ in which no function is negative, and the square of a distance; printed and
+  corrected functions
 :then: for the left end every point of the curve is nearer to the polygon than $r$, for the right end some point is farther
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
   rational $t$ and all edges.  `hull.h` decides that the polygon is convex.
@@ -135,7 +135,7 @@ another one it is lost.
 :::{statement} deng-zhang-2022:property-3.5-bezier
 :title: The curve is closer to its polygon than the Bézier curve of degree seven
 :zh: 比七次 Bezier 曲线更优
-:printed: the approximation of the control polygon is better than that of the Bézier curve of degree seven
+:printed: the approximation of the control polygon is better than that of the Bézier curve of degree seven (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: larger_beta_takes_the_curve_away_from_its_polygon convex_polygon_prefers_the_bezier_curve convex_polygon_prefers_zero_to_minus_two
 :class: false
 :corrected: the Bézier curve is that of $\beta=0$.  For one convex polygon, that of the two decisions, both the curve of $\beta=1$ and that of $\beta=-2$ are closer than it, the largest

@@ -67,8 +67,8 @@ some line passes through 0.  At the left end this is $\nu_2$, and not $\nu_1$, w
 :kind: decision
 :data: range of β = -21/4 1
 :instead: range of β = -7 1
-:given: all real $\beta$, a range of it, the printed and the corrected functions $(\nu_is+\varphi_it)s^{7-i}t^i$ with $s=1-t$
-:then: all $\nu_i\ge0$, $\varphi_i\ge0$ in the range; $\nu_2<0$ for every smaller and $\varphi_0<0$ for every
+:given: all real $\beta$; the printed and the corrected functions $(\nu_is+\varphi_it)s^{7-i}t^i$ with $s=1-t$
+:then: all $\nu_i\ge0$, $\varphi_i\ge0$ for $-\frac{21}4\le\beta\le1$; $\nu_2<0$ for every smaller and $\varphi_0<0$ for every
   larger $\beta$
 :method: Function $i$ is $\nu_is+\varphi_it$ times powers that are positive in $(0,1)$, so it is nonnegative on $[0,1]$ exactly when both numbers
   are.  The sixteen factors are linear polynomials in $\beta$; their signs are decided on the interval, those of $\nu_2$ and
@@ -191,7 +191,7 @@ CLAIM(derivative_of_a_function_factors)
 :zh: 二次因子在 (0,1) 内恰由正变负一次
 :given: integers $0<i<n$; $\nu,\varphi\ge0$, not both 0; $x=\frac ts>0$ and $h>0$
 :then: the factor divided by $st$, $g(x)=\frac{i\nu}x+(i+1)\varphi-(n+1-i)\nu-(n-i)\varphi x$, has $g(x)>g(x+h)$; at $t=\frac i{n+1}$ it is
-  $\frac{n+1}{n+1-i}\varphi$, at $t=\frac{i+1}{n+1}$ it is $-\frac{n+1}{i+1}\nu$
+  $\frac{n+1}{n+1-i}\cdot\varphi$, at $t=\frac{i+1}{n+1}$ it is $-\frac{n+1}{i+1}\cdot\nu$
 :method: $i$, $n-i$, $\nu$, $\varphi$, $x$, $h$ are positive variables; then one of $\nu$, $\varphi$ is 0.  The difference has coefficients of one
   sign, the two values are identities.  A function that falls, is not negative at one place and not positive at a later one, changes its
   sign once from the one to the other.
@@ -226,12 +226,12 @@ CLAIM(quadratic_factor_changes_its_sign_once)
 #if RATIONAL
 /*
 :::{claim} each_function_rises_then_falls
-:title: In the true range each of the six inner functions rises and then falls
+:title: For beta from -21/4 to 1 each of the six inner functions rises and then falls
 :zh: -21/4≤β≤1 时 B_1,…,B_6 单峰
 :kind: decision
 :data: range of β = -21/4 1
 :instead: range of β = -7 1
-:given: the true range of $\beta$, the printed and the corrected functions $(\nu_is+\varphi_it)s^{n-i}t^i$
+:given: $-\frac{21}4\le\beta\le1$, the printed and the corrected functions $(\nu_is+\varphi_it)s^{n-i}t^i$
 :then: for $0<i<n$: $\nu_i\ge0$, $\varphi_i\ge0$ and $\nu_i+\varphi_i>0$, so that the quadratic factor of the derivative changes its sign once
   in $(0,1)$, from plus to minus; function $i$, which is 0 at both ends, rises and then falls
 :method: The signs of linear polynomials in $\beta$, decided on the interval.
@@ -297,13 +297,12 @@ Below the true range the argument breaks for $i=2$ and $i=5$ alone: $\nu_2$ and 
 falls, and has to rise again.
 
 :::{claim} third_function_falls_then_rises_below_the_range
-:title: Below the range two of the six inner functions have an inner minimum too, the other four one inner maximum alone
+:title: For beta from -7 to below -21/4 two of the six inner functions have an inner minimum too, the other four one inner maximum alone
 :zh: -7≤β<-21/4 时的极值
 :kind: decision
 :data: range of β = -7 -21/4
 :instead: range of β = -7 -5
-:given: the part of the printed range of $\beta$ that is below the true one, without its right end; the corrected and the
-  printed functions
+:given: $-7\le\beta<-\frac{21}4$; the corrected and the printed functions $(\nu_is+\varphi_it)s^{n-i}t^i$ with $s=1-t$
 :then: $\nu_2<0<\varphi_2$, so that $B_2$ falls from $B_2(0)=0$, rises and falls again to $B_2(1)=0$: one inner minimum,
   one inner maximum, and a local maximum at $t=0$; $\varphi_5<0<\nu_5$, so that $B_5$ rises from 0, falls and rises again to 0, with a
   local maximum at $t=1$; for all other $i$ with $0<i<n$ still $\nu_i,\varphi_i\ge0$ and not both $0$, so that function $i$ rises and then falls
