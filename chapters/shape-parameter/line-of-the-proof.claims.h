@@ -238,6 +238,7 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :title: The intersections of the curve are at most the changes of sign
 :zh: 式 (21)
 :printed: the number of intersections of $B_1(t)$ with $L$ is at most $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$
+  (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
   curve_on_a_line_that_its_polygon_crosses
 :class: false
