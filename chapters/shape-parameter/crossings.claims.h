@@ -142,7 +142,7 @@ CLAIM(minors_are_products_of_entries)
 :data: l_7 = -21/4
 :given: all real $\beta$; corrected functions of degree $n$, for the degree of the source also the printed ones
 :then: the matrix of Bernstein coefficients has no negative minor exactly for $l_n\le\beta\le1$, where $l_n$ is the
-  greatest $\beta$ at which some $\nu_i$ vanishes from above
+  greatest $\beta$ at which some $\nu_i$ vanishes from above; $l_7=-\frac{21}4$
 :method: The minors are products of entries, and these are linear in $\beta$; so the signs of all minors are constant
   between the neighbouring roots of the entries.  At every root and once in every gap the elimination of
   `total_positivity.h` decides.

@@ -237,7 +237,7 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
 :zh: t→0+ 时组合函数的符号由首个非零系数决定
 :kind: decision
 :data: range of β = -21/4 1
-:given: the true range of $\beta$ without its left end, printed and corrected functions $B_i=(\nu_i(1-t)+\varphi_it)(1-t)^{7-i}t^i$; $f=\sum_ik_iB_i$
+:given: $-\frac{21}4<\beta\le1$, printed and corrected functions $B_i=(\nu_i(1-t)+\varphi_it)(1-t)^{7-i}t^i$; $f=\sum_ik_iB_i$
 :then: $\nu_0,\dots,\nu_6>0$, $\nu_7\ge0$ and $\varphi_7>0$; so $f=t^i(k_i\nu_i+\dots)$, $i$ the first with
   $k_i\ne0$, has the sign of $k_i$ for small $t>0$, and everywhere in $(0,1)$ where it is the last $i$, too; likewise $\varphi_1,\dots,\varphi_7>0$,
   $\varphi_0\ge0$ and $\nu_0>0$ for the other end
