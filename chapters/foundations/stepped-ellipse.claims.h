@@ -75,7 +75,6 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
 :title: Along the orbit of the second way an angle grows evenly
 :zh: 第二种方法的等角参数
 :given: any $r$, $\theta$ and $\delta=\frac{\Delta\theta}2$, by the directions $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ of the halves of $\theta$ and $\delta$
-:harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
 :then: with $\varepsilon=2\sin\delta$ the step $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=y_n+\varepsilon x_{n+1}$ takes $(r\cos\theta,r\sin(\theta+\delta))$ to
   $(r\cos(\theta+2\delta),r\sin(\theta+3\delta))$, and the middle terms of both chains are equal to the outer ones
 :method: All sums of angles from the directions of their halves, as $(a_0b_0-a_1b_1,\,a_0b_1+a_1b_0)$ for $\theta+\delta$; the five numbers are variables.
@@ -182,7 +181,7 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
   $(b_0,b_1)\ne(0,0)$ of the halves of $\theta$ and $\delta$
 :harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
 :scope: 0 < Δθ < π
-:harmless: $\cos\delta\ne0$ | it is not 0 for $0<\Delta\theta<\pi$
+:harmless: $\cos\delta\ne0$, by the directions $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | the cosine is not 0 for $0<\Delta\theta<\pi$, and the half of every angle has a direction
 :then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
 :method: An identity in the five numbers, term by term as printed.
 :over: a#: θ; b#: -; r: radius
@@ -345,7 +344,7 @@ CLAIM(inward_error_of_the_ellipse_is_larger)
   the one inwards; $a=1+s$
 :data: s = 1/32
 :instead: s = 0
-:then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false: it says $2-\sqrt a\le\sqrt{2-a}$, with both sides positive, and squared twice this is $(1+a)^2-4a\le0$; so
+:then: $1-\sqrt{1-s}\le\sqrt{1+s}-1$ is false: it says $2-\sqrt a\le\sqrt{2-a}$, with both sides positive, and squared twice this is $(1+a)^2-2\cdot2a\le0$; so
   the error inwards is the larger one
 :result: (1 + a)² - 4a = 1/1024
 :method: It says $2-\sqrt a\le\sqrt{2-a}$; both sides are positive, and squaring twice it becomes $(1-a)^2\le0$.

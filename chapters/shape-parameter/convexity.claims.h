@@ -53,6 +53,7 @@ at $\beta=-\frac{21}4$ for multiples of coefficients that change their sign thre
 :printed: this is because a line and the (convex) control polygon have at most two points of intersection
 :holds-by: vertex_off_a_line_puts_a_point_between_two four_vertices_of_a_convex_polygon_do_not_alternate sign_changes_are_polygon_crossings
   points_between_two_on_one_side_are_on_it
+:meant: the number two, which for $P_0=P_7$ is true of points of the plane only | Points of intersection are counted as points of the plane.
 :hypothesis: line_along_an_edge_has_three_points_of_a_convex_polygon | the line contains no edge; crossings are at most two in any case
 :figure: line_along_an_edge
 :degree: 7

@@ -142,7 +142,7 @@ CLAIM(minors_are_products_of_entries)
 :data: l_7 = -21/4
 :given: all real $\beta$; corrected functions of degree $n$, for the degree of the source also the printed ones
 :then: the matrix of Bernstein coefficients has no negative minor exactly for $l_n\le\beta\le1$, where $l_n$ is the
-  greatest $\beta$ at which some $\nu_i$ vanishes from above
+  greatest $\beta$ at which some $\nu_i$ vanishes from above; $l_7=-\frac{21}4$
 :method: The minors are products of entries, and these are linear in $\beta$; so the signs of all minors are constant
   between the neighbouring roots of the entries.  At every root and once in every gap the elimination of
   `total_positivity.h` decides.
@@ -317,7 +317,7 @@ values of $B_2$ take the curve below its triangle.
 :data: β = -21/4; P = (0,0) (0,0) (1,-1) (2,27/5) (3,-27/5) (4,1) (5,0) (5,0); Q = (0,0); u = (0,1)
 :instead: β = -5
 :result: the curve is on the line = "yes"; common points of the polygon = 5; crossings of the polygon = 3
-:given: the left end of the true range, a polygon, and the line through $Q$ with the normal vector $u$; corrected functions
+:given: the least $\beta$ for which the functions are nonnegative, a polygon, and the line through $Q$ with the normal vector $u$; corrected functions
 :then: the whole curve, from $P_0$ to $P_7$, is on the line; the polygon crosses the line and has single points on it, no edge of positive length
 :method: The curve's Bézier points; `crossings.h` counts the components of the polygon's common points.
 :control: a $\beta$ inside the range

@@ -127,6 +127,7 @@ CLAIM(parity_of_the_roots)
 :zh: 笛卡尔符号法则，式 (15)
 :printed: these functions fully obey the rule of signs of Descartes on $(0,1)$, that is, for the following sequence of constants, (14),
   Zeros$(0,1)\{\sum_{i=0}^7k_iB_{i,7}(t)\}\le SA(k_0,\dots,k_7)$
+  (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: positive_coefficients_with_two_roots a_combination_vanishes
 :class: false
 :corrected: for the printed functions and for the corrected ones (`sec-2-properties`): true for all $k\ne0$ exactly if $-\frac{21}4<\beta\le1$; at
@@ -236,7 +237,7 @@ CLAIM(no_sign_makes_the_first_coefficient_positive)
 :zh: t→0+ 时组合函数的符号由首个非零系数决定
 :kind: decision
 :data: range of β = -21/4 1
-:given: the true range of $\beta$ without its left end, printed and corrected functions $B_i=(\nu_i(1-t)+\varphi_it)(1-t)^{7-i}t^i$; $f=\sum_ik_iB_i$
+:given: $-\frac{21}4<\beta\le1$, printed and corrected functions $B_i=(\nu_i(1-t)+\varphi_it)(1-t)^{7-i}t^i$; $f=\sum_ik_iB_i$
 :then: $\nu_0,\dots,\nu_6>0$, $\nu_7\ge0$ and $\varphi_7>0$; so $f=t^i(k_i\nu_i+\dots)$, $i$ the first with
   $k_i\ne0$, has the sign of $k_i$ for small $t>0$, and everywhere in $(0,1)$ where it is the last $i$, too; likewise $\varphi_1,\dots,\varphi_7>0$,
   $\varphi_0\ge0$ and $\nu_0>0$ for the other end
@@ -312,7 +313,7 @@ The lemma that is cited for $k_7<0$ is not in the text.  More than eight roots $
 :::{statement} deng-zhang-2022:property-3.6-case-2
 :title: The cases of six to one changes of sign by the same method
 :zh: 情形 2
-:printed: for $SA=6,5,4,3,2,1$ it is proved by the same method
+:printed: for $SA=6,5,4,3,2,1$ it is proved by the same method (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: one_change_of_sign_and_three_roots one_change_of_sign_and_two_roots
 :class: invalid-proof
 :corrected: the method, the signs at the ends, excludes $SA+1$ roots counted with multiplicity when $k_7\ne0$, not $SA+2$;
@@ -381,7 +382,7 @@ CLAIM(one_change_of_sign_and_two_roots)
 :::{statement} deng-zhang-2022:property-3.6-case-0
 :title: No change of sign: obviously no root
 :zh: 情形 SA=0
-:printed: for $SA=0$ the inequality is obvious
+:printed: for $SA=0$ the inequality is obvious (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: positive_coefficients_with_two_roots
 :class: false
 :corrected: for $k\ne0$ obvious where the functions are positive in $(0,1)$, which is for $-\frac{21}4\le\beta\le1$

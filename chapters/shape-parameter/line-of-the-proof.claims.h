@@ -223,6 +223,7 @@ CLAIM(polygon_that_crosses_itself_on_the_line)
 :title: The intersections of the curve with a line are roots
 :zh: 式 (20)
 :printed: the number of intersections of $B_1(t)$ with $L$ is Zero$(0,1)\{\sum_{j=0}^7B_{j,7}(t)(P_j-Q)\cdot u\}$
+  (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
 :class: false
 :corrected: for the corrected functions (`sec-2-properties`) the function is $(q(t)-Q)\cdot u$ with the curve $q$, and its roots in $(0,1)$ are the parameters $t$ of common
@@ -238,6 +239,7 @@ The step uses the sum 1.  It also leaves out $t=0$ and $t=1$, where $P_0$ or $P_
 :title: The intersections of the curve are at most the changes of sign
 :zh: 式 (21)
 :printed: the number of intersections of $B_1(t)$ with $L$ is at most $SA\{u\cdot(P_0-Q),\dots,u\cdot(P_7-Q)\}$
+  (definition 2.1: $-7\le\beta\le1$)
 :refuted-by: printed_curve_crosses_a_line_off_its_polygon curve_and_line_share_an_end
   curve_on_a_line_that_its_polygon_crosses
 :class: false

@@ -88,8 +88,8 @@ than the Bézier curve of $\beta=0$: the largest distance is greater there than 
 :data: P = (-1,-2) (2,0) (3,1) (4,3) (-2,4) (-4,-2) (-4,-3) (-3,-3); β = -21/4 1; r² = 24/5
 :instead: β = 1 -21/4
 :result: t of a farther point = 35/64 35/64
-:given: a convex polygon, the two ends of the range of $\beta$ in which no function is negative, and the square of a distance; printed and
-  corrected functions
+:given: a convex polygon, the two ends of the range of $\beta$ for which the functions are nonnegative, and the square of a distance; printed and corrected
+  functions
 :then: for the left end every point of the curve is nearer to the polygon than $r$, for the right end some point is farther
 :method: Nearer on all of $[0,1]$: the interval is cut until on each piece one edge is near, decided by signs of polynomials.  Farther: one
   rational $t$ and all edges.  `hull.h` decides that the polygon is convex.

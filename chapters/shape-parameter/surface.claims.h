@@ -140,8 +140,8 @@ CLAIM(surface_kernel_gives_the_double_sum)
   printed_outer_functions_are_mirror_images surface_functions_sum_to_one nonnegative_exactly_in_the_range
 :confirmed-by: surface_has_the_corner_points_and_boundary_curves reversed_net_reverses_the_surface
   net_of_straight_lines_gives_a_saddle
-:reading: surface_of_a_net_of_straight_lines_is_not_convex | preservation of convexity, a net being called convex when its rows
-  and columns are: they may all be straight and the surface be convex to no side
+:reading: surface_of_convex_rows_and_columns_is_not_convex | preservation of convexity, a net being called convex when its rows
+  and columns are: the surface may be convex to no side
 :reading: larger_beta_takes_the_surface_away_from_its_net | approximation of the net (property 3.5), points of the surface being compared by their largest
   distance from the net
 :reading: preservation of convexity for a net that is convex as a whole, and variation diminution: the text does not say
@@ -150,8 +150,8 @@ CLAIM(surface_kernel_gives_the_double_sum)
   said of the surface.
 :figure: shape_surface
 
-With the printed functions the 64 products add up to $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.  With the corrected ones the surface of the net of the
-first reading is a saddle, $z=xy$, for every $\beta$ (`net_of_straight_lines_gives_a_saddle`).
+With the printed functions the 64 products add up to $(1-4\beta(1-u)^3u^4)(1-4\beta(1-v)^3v^4)$.  With the corrected ones the surface of the net
+$P_{ij}=(i,j,ij)$, whose rows and columns are straight, is a saddle, $z=xy$, for every $\beta$ (`net_of_straight_lines_gives_a_saddle`).
 
 A function of the surface is a product $B_i(u)B_j(v)$.  At $u=0$ all $B_i(u)$ but the first are 0, so that the border is the
 curve of the first row; mirror images, the sum 1 (with it affine maps) and the sign pass from the factors to the products.  For $\beta$ outside the
@@ -420,7 +420,7 @@ CLAIM(surface_functions_sum_to_one)
 
 /*
 Convexity is the one property that does not pass from curves to surfaces, and this has nothing to do with $\beta$.  Rows and
-columns may all be straight, and the surface a saddle.
+columns may all be straight, and the surface a saddle; or all convex and never straight, and the surface convex to no side.
 
 :::{claim} net_of_straight_lines_gives_a_saddle
 :title: A net of straight rows and columns whose surface is a saddle
@@ -449,23 +449,24 @@ CLAIM(net_of_straight_lines_gives_a_saddle)
 
 #if RATIONAL
 /*
-:::{claim} surface_of_a_net_of_straight_lines_is_not_convex
-:title: A surface of straight rows and columns is above one diagonal and below the other
-:zh: 行列皆直的控制网,其曲面不凸
+:::{claim} surface_of_convex_rows_and_columns_is_not_convex
+:title: A surface of convex rows and columns may be above one diagonal and below the other
+:zh: 行列皆凸的控制网,其曲面可以不凸
 :kind: counterexample
-:data: β = -7 -21/4 0 1; coefficients of i², ij, j² in the height = 0 1 0; u = 1/2; v = 1/2
+:data: β = -7 -21/4 0 1; coefficients of i², ij, j² in the height = 1 4 1; u = 1/2; v = 1/2
 :instead: coefficients of i², ij, j² in the height = 1 0 1
-:result: points of the surfaces = (7/2,7/2,49/4) (7/2,7/2,49/4) (7/2,7/2,49/4) (7/2,7/2,49/4); middles of the two chords = (7/2,7/2,49/2) (7/2,7/2,0)
-:given: the net of the points $P_{ij}=(i,j,z_{ij})$, whose height $z_{ij}$ is a quadratic form of $i$ and $j$; four values of $\beta$, corrected functions;
+:result: points of the surfaces = (7/2,7/2,161/2) (7/2,7/2,637/8) (7/2,7/2,77) (7/2,7/2,153/2); middles of the two chords = (7/2,7/2,147) (7/2,7/2,49)
+:given: the net of the points $P_{ij}=(i,j,z_{ij})$, whose height $z_{ij}$ is a quadratic form of $i$ and $j$ with
+  positive coefficients of $i^2$ and $j^2$, so that each row and each column is on a parabola, in order, and convex; four values of $\beta$, corrected functions;
   the middle of the square
 :then: for each $\beta$ the point of the surface is below the middle of the chord of the corners $P_{00},P_{77}$ and above that of $P_{07},P_{70}$; so the
   surface is convex to no side
-:method: The points of the surfaces and the middles of the two chords, which are above one another, and their heights.  The control: a net whose columns and
-  rows are convex to one side.
+:method: The points of the surfaces and the middles of the two chords, which are above one another, and their heights.  The control: a net on a paraboloid,
+  which is convex.
 :control: a sum of squares for the height
 :::
 */
-CLAIM(surface_of_a_net_of_straight_lines_is_not_convex)
+CLAIM(surface_of_convex_rows_and_columns_is_not_convex)
 {
     num beta[4], form[3], P[8 * 8 * 3], at[4 * 3], half = from_ratio(1, 2), chord[2 * 3];
     int one_side = 0, above = 1;
