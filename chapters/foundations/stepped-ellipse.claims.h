@@ -75,6 +75,7 @@ the abscissa takes the cosine before, the ordinate the sine after the half step.
 :title: Along the orbit of the second way an angle grows evenly
 :zh: 第二种方法的等角参数
 :given: any $r$, $\theta$ and $\delta=\frac{\Delta\theta}2$, by the directions $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ of the halves of $\theta$ and $\delta$
+:harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
 :then: with $\varepsilon=2\sin\delta$ the step $x_{n+1}=x_n-\varepsilon y_n$, $y_{n+1}=y_n+\varepsilon x_{n+1}$ takes $(r\cos\theta,r\sin(\theta+\delta))$ to
   $(r\cos(\theta+2\delta),r\sin(\theta+3\delta))$, and the middle terms of both chains are equal to the outer ones
 :method: All sums of angles from the directions of their halves, as $(a_0b_0-a_1b_1,\,a_0b_1+a_1b_0)$ for $\theta+\delta$; the five numbers are variables.
@@ -179,7 +180,6 @@ whatever the first point is, so every orbit has its own ellipse of the same shap
 :zh: 差分方程的点满足椭圆方程
 :given: any radius $r>0$ and angle $\theta$, and $\delta=\frac{\Delta\theta}2$ with $\cos\delta\ne0$, by the directions $(a_0,a_1)\ne(0,0)$ and
   $(b_0,b_1)\ne(0,0)$ of the halves of $\theta$ and $\delta$
-:harmless: $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | so is the half of every angle
 :scope: 0 < Δθ < π
 :harmless: $\cos\delta\ne0$, by the directions $(a_0,a_1)\ne(0,0)$ and $(b_0,b_1)\ne(0,0)$ | the cosine is not 0 for $0<\Delta\theta<\pi$, and the half of every angle has a direction
 :then: $x=r\cos\theta$, $y=r\sin(\theta+\delta)$ satisfy the printed equation
