@@ -52,7 +52,8 @@ mean.
 :title: On the domain the B-splines are nonnegative and sum up to 1, so positive weights have a positive mean
 :zh: 定义域内 B 样条基非负且和为一,故分母为正
 :given: several segments, with any positive gaps of the knots; any interval $[x_m,x_{m+1}]$ of the domain;
-  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, or $t=x_m$, or $t=x_{m+1}$, where the limit from the left is taken
+  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, or $t=x_m$, or $t=x_{m+1}$, where the limit from the left is taken; and $t=t_{n+1}$ as a point of the
+  interval behind it, as the definition has it, where there is one: unless $t_{n+1}=\dots=t_{n+k}$
 :then: $N_{i,k}(t)\ge0$ for all $i$ and $\sum_{i=1}^nN_{i,k}(t)=1$; so the denominator of (4.1.2) is at least the least
   weight
 :method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
@@ -63,26 +64,34 @@ mean.
 :control: the first of the points of the interval left out
 :::
 */
-/* Over the knots K: no N_i is negative in an interval of the domain or at its ends, and they sum up to 1. */
+/* No N_i is negative at t, a point of this interval, and they sum up to 1. */
+static void G(compare_with_shares_at)(trial *T, const struct G(knot_vector) * K, int interval, num t)
+{
+    int first = G(span_of_interval)(K->count, K->place, interval) - K->p;
+    num sum = from_int(0);
+    for (int i = 0; i < K->n; i++) {
+        num N = G(cox_de_boor)(K->p, K->u, K->place, i, interval, t);
+        about(T, "the sign of N_i");
+        nonnegative(T, N);
+        if (fault(T, 1, i != first))
+            sum = add(sum, N);
+    }
+    about(T, "the sum of the N_i");
+    same(T, sum, from_int(1));
+}
+
+/* Over the knots K: in every interval of the domain and at its ends, and at the end of the domain by the interval behind it. */
 static void G(compare_with_shares)(trial *T, const struct G(knot_vector) * K)
 {
-    int p = K->p;
-    for (int interval = K->place[p]; interval < K->place[K->n]; interval += 2) {
+    const int behind = K->place[K->n];
+    for (int interval = K->place[K->p]; interval < behind; interval += 2) {
         int mu = G(span_of_interval)(K->count, K->place, interval);
-        num at[3] = {G(parameter_inside)(T, K->u, mu), K->u[mu], K->u[mu + 1]}; /* inside, and at both ends */
-        for (int end = 0; end < 3; end++) {
-            num t = at[end], sum = from_int(0);
-            for (int i = 0; i < K->n; i++) {
-                num N = G(cox_de_boor)(p, K->u, K->place, i, interval, t);
-                about(T, "the sign of N_i");
-                nonnegative(T, N);
-                if (fault(T, 1, i != mu - p))
-                    sum = add(sum, N);
-            }
-            about(T, "the sum of the N_i");
-            same(T, sum, from_int(1));
-        }
+        G(compare_with_shares_at)(T, K, interval, G(parameter_inside)(T, K->u, mu));
+        G(compare_with_shares_at)(T, K, interval, K->u[mu]);
+        G(compare_with_shares_at)(T, K, interval, K->u[mu + 1]);
     }
+    if (behind < K->place[K->count - 1])
+        G(compare_with_shares_at)(T, K, behind, K->u[K->n]);
 }
 
 CLAIM(basis_is_a_partition_of_unity)
@@ -98,7 +107,8 @@ CLAIM(basis_is_a_partition_of_unity)
 :title: Beside a knot that is more than k-fold the B-splines are nonnegative and sum up to 1 as well
 :zh: 超过 k 重的节点两侧 B 样条基仍非负且和为一
 :given: a knot of multiplicity $k+1$ or $k+2$ between simple or clamped ends, with any positive gaps of the knots; both intervals of the domain;
-  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, or $t=x_m$, or $t=x_{m+1}$, where the limit from the left is taken
+  $t=x_m+(x_{m+1}-x_m)\frac s{1+s}$, $s>0$, or $t=x_m$, or $t=x_{m+1}$, where the limit from the left is taken; and $t=t_{n+1}$ as a point of the
+  interval behind it, unless $t_{n+1}=\dots=t_{n+k}$
 :then: $N_{i,k}(t)\ge0$ for all $i$ and $\sum_{i=1}^nN_{i,k}(t)=1$
 :method: The recursion by its letter.  Signs are read off coefficients in $s$ and the gaps.
 :degrees: 1..6 sampled 6

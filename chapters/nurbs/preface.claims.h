@@ -23,7 +23,14 @@ this can be computed is decided here.
 :printed: As the polynomial Bézier curve was generalised to the rational one of the chapter before, the nonuniform B-spline curve, a piecewise polynomial, is
   generalised to the piecewise rational NURBS curve
 :holds-by: nurbs_point_is_the_weighted_mean
+:confirmed-by: equal_weights_give_bezier_curve
+:reading: nurbs_point_is_the_weighted_mean | the construction is generalised, from the curve to its projection: a NURBS curve is the quotient of two sums like the one sum of a
+  B-spline curve
+:reading: equal_weights_give_bspline | the curves are: the B-spline curves are NURBS curves, those with equal weights
 :figure: nurbs_circle
+
+Numerator and denominator are piecewise polynomials, being sums of the $N_{i,k}$ with constant factors.  That Bézier curves are rational ones in the same way is
+`equal_weights_give_bezier_curve`.
 :::
 
 :::{statement} wang-ch4:preface-special-case-bspline
