@@ -211,7 +211,8 @@ CLAIM(cubic_coefficients_by_monomials)
 
 In the text at hand the formula has no signs, primes and fraction bars, but values and derivatives can be told apart: a prime tears the letter and its bracket apart, as in
 $2f'(t_1)$ of the second fraction, and in $2f(t_0)t_1^2$ they are together, as in $3f(t_0)t_1$.  Multiplied out the formula has ten terms.  Whatever signs these are given, and so
-whatever signs its terms, brackets and fractions have, it is false; with a prime and the signs shown here it is true.
+whatever signs its terms, brackets and fractions have, it is false: all $2^{10}$ choices were run, and two are
+shown; with a prime and the signs shown here it is true.
 :::
 */
 

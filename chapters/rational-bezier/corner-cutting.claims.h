@@ -26,7 +26,7 @@ edges, and on what the ratio depends.
 :meant: the formulas of theorem 3.3.1, as theorem 1.4.1 is not in the text at hand | Theorem 1.4.1 says that the triangle of de Casteljau gives the
   two parts of a polynomial curve.
 
-Theorem 1.4.1 is the case of equal weights.
+Theorem 1.4.1 is the case of equal weights.  Only (3.3.2) and (3.3.3) are used, and not the display of theorem 3.3.1 with its slip.
 :::
 
 :::{claim} equal_weights_stay_equal

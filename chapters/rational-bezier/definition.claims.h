@@ -828,7 +828,7 @@ CLAIM(translated_homogeneous_points_give_no_translate)
 :confirmed-by: reversed_points_and_weights_reverse_the_curve
 :meant: (3.2.2), which has a weight with every point | The control points are taken backwards with their weights; they give $R(1-t)$.
 :needs: weights_of_both_signs_make_a_pole | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ |
-  $\omega(t)\ne0$; for which positive weights suffice: otherwise there may be no point.
+  $\omega(t)\ne0$; for which positive weights suffice on $[0,1]$: otherwise there may be no point.
 :reading: reversed_points_alone_do_not_reverse_the_curve | Read for the points $R_i$ alone, the weights keeping their places.
 :figure: reversed_polygon
 
