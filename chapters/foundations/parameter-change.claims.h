@@ -97,7 +97,7 @@ printed rows are its four terms.
 :confirmed-by: pieces_in_new_powers
 :figure: piece_of_a_cubic
 
-The second expression gives the four rows names.
+The second expression gives the four rows names.  On the left $P(t^*)$ is the point of the curve at $t_0+(t_1-t_0)t^*$, the letter being kept.
 :::
 
 :::{claim} coefficients_of_a_piece_are_as_printed

@@ -513,7 +513,7 @@ common points is now a matter of how the four lines lie.
 
 That no three of the four points are on a line follows when they are four different ones, and so does that $l_3l_4$ is no multiple of $l_1l_2$: $l_3$
 meets $l_1$ and $l_2$ in one point each, so it is neither of them.  That every member passes through the points where the pairs meet needs neither
-that they are different nor $\lambda=\infty$.
+that they are different nor $\lambda=\infty$; it is linear in the factors $1-\lambda$ and $\lambda$, hence true for the factors $1$ and $-1$ of $\lambda=\infty$, too.
 :::
 
 :::{claim} line_pairs_share_four_points

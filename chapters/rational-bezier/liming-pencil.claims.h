@@ -312,7 +312,7 @@ CLAIM(limings_pencil_misses_one_conic)
 :reading: three_lines_have_three_pencils | Three lines without parts: each of them may be the chord, and with another chord the pencil is
   another one.
 
-The figure itself is not in the text at hand.
+The figure itself is not in the text at hand.  What is proved of the members is linear in $1-\lambda$ and $\lambda$, hence true of $\lambda=\infty$, too.
 Two parallel tangents have no point $R_1$; that they and the chord determine a pencil, too, is decided at (3.1.3).
 :::
 */

@@ -445,7 +445,7 @@ ratios are simpler than printed: $g_1=\frac{-2x}{x+y-1}$ and $g_2=\frac{-2y}{x+y
 :hypothesis: outside_the_triangle_lengths_lose_the_sign | $R$ lies inside the triangle, or $g_2$ is taken with its sign.
 :hypothesis: plus_sign_turns_the_ratio | the sign in (3.1.4) is minus.
 :needs: tangent_parallel_to_the_first_side | § 3.1: the tangent at $R$ meets $l_1=0$ and $l_2=0$ in $A$ and $B$ |
-  $S_y'\ne0$; as in the triangle when $0<\lambda<1$; else the tangent does not cut the side in one point.
+  $S_y'\ne0$; as inside the triangle when $0<\lambda<1$; else the tangent does not cut the side in one point.
 
 In $R_2$ the tangent is the side itself, with $S_y'=0$; in $R_0$ it is $l_1$, $B$ is $R_1$ and $g_2=0$, as printed.
 :::
