@@ -394,7 +394,7 @@ provided that both have a direction.
 :hypothesis: singular_end_has_no_ratio | neither derivative is 0 at the joint
 :needs: negative_ratio_turns_back | the words: equal in direction (方向相同) | the derivatives are equal in direction:
   proportional with a negative factor is a curve that turns back
-:meant: the word that is explained, proportional (成比例) | The sizes may differ.
+:meant: the word that is explained, proportional (成比例) | The sizes may differ; that the first derivatives by the arc length agree says that the unit tangents are equal.
 :reading: equal_unit_tangents_fix_the_ratio | the sizes may differ
 :reading: halves_of_a_segment_have_one_speed | the sizes do differ
 :figure: joints_of_order

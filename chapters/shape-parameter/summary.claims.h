@@ -61,7 +61,7 @@ angles in all, for $a<b$ the angle from the edge $e_a$ to $e_b$, $e_k=P_{k+1}-P_
 :refuted-by: convex_polygon_prefers_the_bezier_curve larger_beta_takes_the_curve_away_from_its_polygon
 :class: false
 :corrected: for $\beta=1$ it depends on the polygon: by the largest distance of a point of the curve from the polygon the curve is nearer than the Bézier
-  curve to the convex polygon of the decision, and farther than it from the convex one of the first counterexample
+  curve to the convex polygon of the decision, and farther than it from the convex one that begins with $(-3,-3)$, of the counterexample to what is printed
 :corrected-by: convex_polygon_prefers_beta_one
 :meant: property 3.5, by which a larger $\beta$ is better | The curve of $\beta=1$, the right end of the range, is compared with the one of $\beta=0$.
 :reading: convex_polygon_prefers_zero_to_minus_two | with $\beta=-2$ in the place of 1, since the text does not say for which $\beta$ the curve is better: there is a
@@ -104,7 +104,7 @@ $P,P,P,P,Q,Q,Q,Q$ (`polygons_that_do_not_move`, with the corrected functions).
 :class: false
 :corrected: adjustable it is, but for the polygons $P,P,P,P,Q,Q,Q,Q$ with the corrected functions (`sec-2-properties`) and $0,0,0,0,5v,v,v,v$ with the printed
   ones; by the largest distance of a point of the curve from the polygon the curve of $\beta=1$ is nearer than that of $\beta=0$ to the convex polygon of the
-  last decision, and farther than it from the convex one of the first counterexample
+  last decision, and farther than it from the convex one that begins with $(-3,-3)$, of the counterexample to what is printed
 :corrected-by: polygons_that_do_not_move convex_polygon_prefers_beta_one
 :meant: property 3.5, by which a larger $\beta$ is better | The curve of $\beta=1$, the right end of the range, is compared with the one of $\beta=0$.
 :reading: convex_polygon_prefers_zero_to_minus_two | with $\beta=-2$ in the place of 1, since the text does not say for which $\beta$ the curve is better: there is a
