@@ -41,6 +41,8 @@ sense, for a triangle and its base.
   possible
 :figure: convexity_lost
 
+As in property 3.6 each Bernstein coefficient of $f=\sum k_iB_i$ is a multiple, not a negative one, of an average of two neighbours $k_{i-1},k_i$, where the
+entries of the matrix are not negative: the coefficients have no more changes of sign than $k$, and $f$ no more roots in $(0,1)$.
 A line has at most two changes of sign along a convex polygon; with $P_0$ on the line at most one, with $P_0\ne P_7$ both on
 it none; so together with the ends there are never more than two common points.  With $P_0=P_7$ on the line one change is
 possible, and $t=0$, $t=1$ are one point of the curve.  In the range all of $f$ is 0 only for $k=0$, the polygon then being on the line, and
