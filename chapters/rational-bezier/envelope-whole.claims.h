@@ -42,7 +42,7 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
   triangle_of_powers_consists_of_powers bernstein_sum_of_powers_is_a_power convex_polygon_has_one_envelope_in_every_degree
   corners_of_a_strictly_convex_polygon_turn_one_way determinant_of_three_sums_goes_by_triples wronskian_decides_the_outer_levels
   triangle_has_one_envelope
-:confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes second_envelopes_by_elimination
+:confirmed-by: polar_derivatives convex_polygon_has_one_envelope inflections_give_the_other_envelopes
 :needs: member_may_lose_a_point | § 3.2, after definition 3.2.1: one usually prescribes $\omega_i>0$ | the weights are
   positive; else (3.3.3) may give no point, and no member with it
 :needs: cut_outside_can_fail | the theorem: $a\le c\le b$ | $a\le c\le b$: outside a weight of the triangle may vanish, as $\omega_1^1$ in the example, whatever the other weights are
@@ -51,7 +51,7 @@ The factor $t-c$ is the curve itself.  The other factor, when it has zeros, give
 
 The text has something of both readings: the word, and the contact at $c=t$ that follows, speak for the first, the sign of equality for the second; what
 $\operatorname{env}$ means is not said in this chapter.  Each example shows one point.  For the cubic such points lie on the axis $y=0$, for the quartic of reading 3
-on a parabola: `second_envelopes_by_elimination` finds the two equations.
+on a parabola; the two equations are found by eliminating $c$.
 :::
 
 The factorization takes three steps.  The condition is first brought from points to homogeneous vectors, where it is a
