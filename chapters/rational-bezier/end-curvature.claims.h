@@ -591,6 +591,22 @@ CLAIM(repeated_first_points_leave_curvature_undetermined)
     refute(T, is_zero_f(length) && is_zero_f(length_at_one));
 }
 
+/* Of a quartic in space, at t = 0 or at t = 1: the torsion, and of (3.2.6) the triple product of the three edges there and the square of the
+ * product of the two at the end, by these names.  Whether that square is 0. */
+static int torsion_formula_divides_by_zero(trial *T, const num R[], const num w[], num t, int end,
+                                           const char *const name[3])
+{
+    num a[3][3], x[3];
+    found(T, name[0], substitute_f(G(rational_torsion)(4, R, w, t), t, from_int(end)));
+    for (int i = 0; i < 3; i++)
+        G(edge)(3, R, end + i + 1, a[i]);
+    G(cross3)(a[end], a[end + 1], x);
+    num area = G(norm_squared)(3, x);
+    found(T, name[1], G(det3)(a[0], a[1], a[2]));
+    found(T, name[2], area);
+    return is_zero_f(area);
+}
+
 /*
 :::{claim} collinear_first_points_leave_torsion_undetermined
 :title: Points without repetition, torsion 2 at the start; the formula says 0/0
@@ -611,7 +627,7 @@ CLAIM(repeated_first_points_leave_curvature_undetermined)
 */
 CLAIM(collinear_first_points_leave_torsion_undetermined)
 {
-    num R[15], w[5], a[3][3], x[3], P[3], t = variable_f("t");
+    num R[15], w[5], P[3], t = variable_f("t");
     given_points(T, "R", 5, 3, R);
     given_points(T, "ω", 5, 1, w);
     G(rational_point)(4, 3, R, w, t, P);
@@ -624,27 +640,16 @@ CLAIM(collinear_first_points_leave_torsion_undetermined)
             equal += equal_f(R[3 * i], R[3 * j]) && equal_f(R[3 * i + 1], R[3 * j + 1]) &&
                      equal_f(R[3 * i + 2], R[3 * j + 2]);
     found_whole(T, "pairs of equal points", equal);
-    num torsion = G(rational_torsion)(4, R, w, t);
-    show(T, "τ(t)", torsion);
-    found(T, "τ(0)", substitute_f(torsion, t, from_int(0)));
-    for (int i = 0; i < 3; i++)
-        G(edge)(3, R, i + 1, a[i]);
-    G(cross3)(a[0], a[1], x);
-    num area = G(norm_squared)(3, x);
-    found(T, "(a_1, a_2, a_3)", G(det3)(a[0], a[1], a[2]));
-    found(T, "|a_1 × a_2|²", area);
     num reversed[15];
     G(reversed_points)(4, 3, R, reversed);
-    torsion = G(rational_torsion)(4, reversed, w, t);
-    found(T, "τ(1) of R reversed", substitute_f(torsion, t, from_int(1)));
-    for (int i = 0; i < 3; i++)
-        G(edge)(3, reversed, i + 2, a[i]);
-    G(cross3)(a[1], a[2], x);
-    num area_at_one = G(norm_squared)(3, x);
-    found(T, "(a_2, a_3, a_4) of R reversed", G(det3)(a[0], a[1], a[2]));
-    found(T, "|a_3 × a_4|² of R reversed", area_at_one);
+    show(T, "τ(t)", G(rational_torsion)(4, R, w, t));
+    int at_zero = torsion_formula_divides_by_zero(T, R, w, t, 0,
+                                                  (const char *const[]){"τ(0)", "(a_1, a_2, a_3)", "|a_1 × a_2|²"}),
+        at_one = torsion_formula_divides_by_zero(
+            T, reversed, w, t, 1,
+            (const char *const[]){"τ(1) of R reversed", "(a_2, a_3, a_4) of R reversed", "|a_3 × a_4|² of R reversed"});
     about(T, "the denominator |a_1 × a_2|², or |a_3 × a_4|² of R reversed, is not 0");
-    refute(T, is_zero_f(area) && is_zero_f(area_at_one));
+    refute(T, at_zero && at_one);
 }
 #endif
 
