@@ -135,7 +135,7 @@ static inline void point_curvature(fit_objective *o, const int dim, int i, int p
     }
 }
 
-/* The rows of point i at its foot t, in `dim` dimensions, a constant for the compiler; returns its loss. */
+/* The rows of point i at its foot t, in `dim` dimensions, a constant for the compiler, none for its cost alone; returns its loss. */
 static inline double point_rows(fit_objective *o, const int dim, int i, fit_foot_kind kind, double t, const double D[],
                                 fit_extent extent)
 {

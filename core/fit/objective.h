@@ -51,7 +51,7 @@ void fit_objective_free(fit_objective *objective); /* NULL is allowed */
  * from. */
 void fit_objective_begin(fit_objective *objective, const fit_curve *curve, const double feet[]);
 
-/* The cost of such a curve; nothing else is evaluated, and nothing but its feet accepted. */
+/* Puts a curve there in the same way and accepts it, but evaluates cost and feet alone: there is no triangle.  Returns the cost. */
 double fit_objective_cost(fit_objective *objective, const fit_curve *curve, const double feet[]);
 
 /* Evaluates cost and feet at x and, as `extent` says, triangle and, if `newton`, curvature. */
