@@ -695,6 +695,17 @@ static void read_cases(struct source *s, int left, int left_end, int k, int stop
     s->in = t;
 }
 
+/* Names the bytes a..b of the text, wherever in the source they come from: a command puts its arguments in any order. */
+static void refuse_bytes(struct source *s, int a, int b, const char *message)
+{
+    int from = s->in->from[a], to = from;
+    for (int k = a; k < b; k++) {
+        from = s->in->from[k] < from ? s->in->from[k] : from;
+        to = s->in->from[k] > to ? s->in->from[k] : to;
+    }
+    cagd_latex_refuse(s->out, from, to + 1, message);
+}
+
 /* The formula whose beginning is at..k; what is behind it. */
 static int read_formula(struct source *s, int at, int k, const char *close, const char *name, enum rows rows, int left,
                         int left_end)
@@ -703,10 +714,10 @@ static int read_formula(struct source *s, int at, int k, const char *close, cons
     char text[LONGEST_NAME];
     int stop = end_of_formula(t, k, close, name);
     if (stop < 0) {
-        cagd_latex_refuse(s->out, t->from[at], t->from[k - 1] + 1,
-                          name != NULL      ? "this environment does not end: expected its \\end"
-                          : close[0] == '$' ? "this formula does not end: expected $$"
-                                            : "this formula does not end: expected \\]");
+        refuse_bytes(s, at, k,
+                     name != NULL      ? "this environment does not end: expected its \\end"
+                     : close[0] == '$' ? "this formula does not end: expected $$"
+                                       : "this formula does not end: expected \\]");
         s->waits = 0;
         return t->size;
     }
