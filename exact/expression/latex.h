@@ -54,8 +54,12 @@ typedef struct cagd_latex {
     int troubles, trouble_room;
 } cagd_latex;
 
-/* More than this an expansion does not grow to. */
+/* More than this an expansion does not grow to: 8 MB, and less for the fuzzers, whose small inputs reach it. */
+#ifdef CAGD_SMALL_LIMITS
+enum { CAGD_LATEX_LARGEST = 1 << 14 };
+#else
 enum { CAGD_LATEX_LARGEST = 1 << 23 };
+#endif
 
 /* The formulas of source[0..size).  All is in the region; where there is no memory, the fault MEMORY. */
 void cagd_read_latex(const char *source, int size, cagd_latex *out);

@@ -9,9 +9,15 @@ enum {
     SHELVES = 1024,
     MOST_PARAMETERS = 9,
     MOST_DEPTH = 40,
+#ifdef CAGD_SMALL_LIMITS
+    MOST_CALLS = 100,
+    MOST_OF_ONE = 1 << 11,
+    MOST_WORK = 1 << 17,
+#else
     MOST_CALLS = 5000,
     MOST_OF_ONE = 1 << 17,
     MOST_WORK = 1 << 26,
+#endif
     EACH_CALL = 20, /* work besides the bytes */
     LONGEST_COMMAND = 200
 };
