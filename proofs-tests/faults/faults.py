@@ -1,7 +1,7 @@
 """Planted faults: one operator, operand, condition, statement or constant at a time is changed, and a test must notice.
 
     faults.py ROOM [--per-function N] [--one-in N] [--seed WORD] [--file PATH,...] [--function NAME,...] [--shard K/N] [--jobs N]
-              [--list] [--kinds] [--equivalent] [--again LOG] [--slow] [--chapters LIST] [--types LIST] [--register FILE]
+              [--list] [--kinds] [--equivalent] [--again LOG] [--given FILE] [--slow] [--chapters LIST] [--types LIST] [--register FILE]
 
 ROOM is kernels, exact, expression, code, check, judge, core, fit or files.  planter.py says which places and kinds there are.  In a copy of the tree every place that is chosen
 gets a switch, so that one build holds as many faults as do not overlap; the environment says which of them is on.  A fault is tried
@@ -13,7 +13,8 @@ Without --one-in and --per-function every fault is tried.  Both choose by the ha
 kind and the line before and after: whether it is chosen does not depend on what is edited elsewhere.  --one-in N takes those whose hash is
 divisible by N, with --seed another choice of as many for each word; --per-function N takes from each function N of them, of kinds as different as possible.  --slow tries the tests that take long as well.  equivalent.txt lists the faults that no test can notice, each with
 its reason; they are left out, and with --equivalent they alone are tried.  --again tries those that survived in the output of
-a former run.  For the kernels, --chapters builds only these
+a former run.  --given tries those that somebody wrote down, each a line `file:number | the line as it stands | the line as changed | what it is`,
+those of the room; the tree is built for each of them.  For the kernels, --chapters builds only these
 chapters, with those whose claims they name, for faults in the kernels that they define, and --types only these number types.
 """
 import argparse
@@ -328,6 +329,18 @@ class Copy:
             self.claims = {claim["name"] for claim in json.loads(listed)["claims"]}
         return batch
 
+    def write_given(self, fault):
+        """The tree with this fault alone; whether it is C."""
+        for file, text in self.original.items():
+            lines = text.decode().split("\n")
+            if file == fault["file"]:
+                lines[fault["line"] - 1] = fault["new"]
+            planted = "\n".join(lines).encode()
+            if (self.root / file).read_bytes() != planted:
+                (self.root / file).write_bytes(planted)
+        r = subprocess.run(["cmake", "--build", "build", "-j", str(self.jobs), "--target", *self.targets], cwd=self.root, capture_output=True)
+        return r.returncode == 0
+
     def fails(self, command, number, limit):
         with tempfile.TemporaryDirectory() as folder:
             environment = {**os.environ, "CAGD_FAULT": str(number), "TMPDIR": folder}
@@ -365,6 +378,23 @@ class Copy:
         return None
 
 
+def given(path, room):
+    """The faults of a room that a file lists."""
+    files, found = {file for files in room.units().values() for file in files}, []
+    for line in path.read_text().splitlines():
+        if line.strip() and not line.startswith("#"):
+            place, old, new, kind = (part.strip() for part in line.split(" | ", 3))
+            file, number = place.rsplit(":", 1)
+            if file in files:
+                lines = (ROOT / file).read_text().splitlines()
+                stands = lines[int(number) - 1].strip()
+                if stands != old:
+                    sys.exit(f"{path}: {place} is '{stands}' and not '{old}'")
+                kernels = re.findall(r"^\w.*\bG\((\w+)\)\(", "\n".join(lines[:int(number)]), re.M)
+                found.append({"file": file, "line": int(number), "old": old, "new": new, "kind": kind, "function": (kernels or [""])[-1], "number": 0})
+    return found
+
+
 def told(outcome, f):
     return f"{outcome:20s} {f['file']}:{f['line']}: {f['function']}: {f['kind']}: {f['old']}  ->  {f['new']}"
 
@@ -388,6 +418,7 @@ def main():
     parser.add_argument("--kinds", action="store_true", help="only count them")
     parser.add_argument("--equivalent", action="store_true")
     parser.add_argument("--again", type=pathlib.Path)
+    parser.add_argument("--given", type=pathlib.Path)
     parser.add_argument("--slow", action="store_true")
     parser.add_argument("--chapters", **comma)
     parser.add_argument("--types", type=lambda text: text.split(","), default=["FIELD", "RATIONAL", "INTERVAL", "DOUBLE"])
@@ -396,7 +427,7 @@ def main():
     register, room, known = load(a.register), ROOMS[a.room](), equivalents()
     flags = include_flags(pathlib.Path(a.register).resolve().parents[2])
     defining = definitional_claims(register, a.chapters)
-    every = all_faults(room, flags, a.seed)
+    every = given(a.given, room) if a.given else all_faults(room, flags, a.seed)
     is_known = lambda f: (f["file"], f["old"], f["new"]) in known or (f["file"], f["old"], "*") in known
     chosen = [f for f in every if not a.file or f["file"].endswith(tuple(a.file))]
     chosen = [f for f in chosen if not a.function or f["function"] in a.function]
@@ -428,7 +459,15 @@ def main():
     outcomes, kinds = collections.Counter(), set()
     with tempfile.TemporaryDirectory() as folder:
         copy = Copy(folder, room, a, flags, register)
-        for number, batch in enumerate(planter.batches(chosen)):
+        for f in chosen if a.given else []:
+            if not copy.usual:
+                copy.build([])
+                copy.holds_without_fault()
+            outcome = "no C" if not copy.write_given(f) else copy.judge(f, defining) or "SURVIVES"
+            outcomes["no C" if outcome == "no C" else "SURVIVES" if outcome == "SURVIVES" else "caught"] += 1
+            kinds.add(f["kind"])
+            print(told(outcome, f), flush=True)
+        for number, batch in enumerate([] if a.given else planter.batches(chosen)):
             meaningful = copy.build(batch)
             outcomes["no C"] += len(batch) - len(meaningful)
             if number == 0:

@@ -10,7 +10,7 @@ count.  executions.txt is the record of the longest runs.
 What is fuzzed is the reading.  Long inputs take long and say little more: four rounds of five have inputs of at most 256 bytes, the
 others those of the corpus and of libFuzzer's own limit.  Words that are written in a reader's source are its dictionary.  What
 is computed with what was read is computed for one input in 64 (file.h).  A file of formulas has smaller limits than elsewhere,
-which such inputs reach (CAGD_SMALL_LIMITS).  Weave and the parser of arguments free nothing where they give up, so no round is longer
+and what commands of LaTeX stand for grows less; such inputs reach them (CAGD_SMALL_LIMITS).  Weave and the parser of arguments free nothing where they give up, so no round is longer
 than 100 000 runs.
 """
 import argparse
