@@ -200,7 +200,7 @@ static const char *const report_names[] = {"ledger.txt", "summary.txt", "strikin
 int promise_report(const char *folder)
 {
     int code = EXIT_AS_EXPECTED;
-    for (int k = 0; k < 4 && code == EXIT_AS_EXPECTED; k++) {
+    for (size_t k = 0; k < sizeof report_names / sizeof *report_names && code == EXIT_AS_EXPECTED; k++) {
         char path[4096];
         snprintf(path, sizeof path, "%s/%s", folder, report_names[k]);
         code = output_promise("report", path);

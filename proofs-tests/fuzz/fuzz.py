@@ -1,6 +1,6 @@
 """Feeds the readers with libFuzzer, under AddressSanitizer and UndefinedBehaviorSanitizer, from the corpora that are kept.
 
-    fuzz.py [--runs N] [--keep FOLDER] [NAME...]
+    fuzz.py [--runs N] [--keep FOLDER] [--from ROUND] [NAME...]
 
 Builds the preset `fuzz` and runs every fuzzer N times, 20 000 if nothing is said: some seconds each.  With --keep the inputs
 that reach something new are kept in FOLDER/NAME, and what was found wrong in FOLDER/NAME-crash-...; otherwise they are forgotten.
@@ -10,8 +10,8 @@ count.  executions.txt is the record of the longest runs.
 What is fuzzed is the reading.  Long inputs take long and say little more: four rounds of five have inputs of at most 256 bytes, the
 others those of the corpus and of libFuzzer's own limit.  Words that are written in a reader's source are its dictionary.  What
 is computed with what was read is computed for one input in 64 (file.h).  A file of formulas has smaller limits than elsewhere,
-and what commands of LaTeX stand for grows less; such inputs reach them (CAGD_SMALL_LIMITS).  Weave and the parser of arguments free nothing where they give up, so no round is longer
-than 100 000 runs.
+and what commands of LaTeX stand for grows less; such inputs reach them (CAGD_SMALL_LIMITS).  Weave and the parser of arguments free nothing where they give up, so no round of theirs is longer
+than 100 000 runs.  The number of a round is its seed: --from goes on where a run before with the same folder was ended.
 """
 import argparse
 import os
@@ -26,6 +26,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 LONGEST_ROUND, ROUNDS, SHORT = 100000, 5, 256
+LONGEST_ROUND_OF = {"formula": 400000, "latex": 400000}
 WORDS_OF = {
     "arguments": ["cli/options.c", "cli/fit/options.c"],
     "blocks": ["chapters/weave/*.c"],
@@ -66,6 +67,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=20000)
     parser.add_argument("--keep", type=pathlib.Path)
+    parser.add_argument("--from", type=int, default=1, dest="first", metavar="ROUND")
     parser.add_argument("name", nargs="*")
     a = parser.parse_args()
     names = a.name or sorted(p.stem.removeprefix("fuzz_") for p in HERE.glob("fuzz_*.c"))
@@ -81,10 +83,10 @@ def main():
             folder.mkdir(parents=True, exist_ok=True)
             words = pathlib.Path(temporary) / f"{name}.words"
             words.write_text(dictionary(name))
-            done, number, start, found = 0, 0, time.monotonic(), False
+            done, number, start, found = 0, a.first - 1, time.monotonic(), False
             while done < a.runs and not found and not ended:
                 number += 1
-                share = min(LONGEST_ROUND, -(-a.runs // ROUNDS), a.runs - done)
+                share = min(LONGEST_ROUND_OF.get(name, LONGEST_ROUND), -(-a.runs // ROUNDS), a.runs - done)
                 try:
                     ran, found, text = fuzz(build / f"proofs-tests/fuzz/fuzz_{name}", name, folder, words, share, number)
                     done += ran

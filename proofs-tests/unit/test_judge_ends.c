@@ -278,7 +278,9 @@ static void names_and_what_they_stand_for(void **state)
                 {"w#: weights", "w w0", NULL, "all weights, all other data"},
                 {"alpha; beta", "alpha beta", NULL, "every α and β"},
                 {"alpha; beta", "alpha beta", "x alpha", "every α"},
-                {"alpha; beta", "alpha beta", "beta", "every β"}};
+                {"alpha; beta", "alpha beta", "beta", "every β"},
+                {"e: ε; beta", "e beta", "varepsilon x", "every ε"}, /* the last one of all */
+                {"w#: weights; v#: equal weights", "w0 v0", NULL, "all equal weights"}};
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         const claim c = {.name = "names", .scope = "", .over = list[k].over, .argued_for = ""};
         char variables[32], positive[] = "";
@@ -696,6 +698,34 @@ static void what_is_apart_stays_so(void **state)
     }
 }
 
+/* Positive data meet a condition, and what the table says is wider, which is not told again; where steps have cases of their own
+ * their data are not told, and it is. */
+static void conditions_that_data_meet(void **state)
+{
+    (void)state;
+    static const char *const condition[] = {"the weights are positive", "P ≠ 0", "Q ≠ 0"};
+    static char weights[] = "weights";
+    quantity data = {.noun = weights, .many = 1, .positive = 1, .claims = 1};
+    for (int mixed = 0; mixed < 2; mixed++)
+        for (int apart = 0; apart < 2; apart++)
+            for (int k = 0; k < 3; k++) {
+                scope s = {.data = &data,
+                           .kinds = 1,
+                           .apart = apart,
+                           .mixed = mixed,
+                           .within = "the weights are positive | P ≠ 0; Q ≠ 0 | the weights are positive"};
+                add_condition(&s, condition[k]);
+                char expected[100] = "", *words = scope_words(&s, "n");
+                snprintf(expected, sizeof expected, "%s%s%s",
+                         apart ? "each step for its own cases" : "all positive weights",
+                         apart || k == 2 ? ", where " : "", apart || k == 2 ? condition[k] : "");
+                assert_string_equal(words, expected);
+                free(words);
+                s.kinds = 0, s.data = NULL;
+                free_scope(&s);
+            }
+}
+
 /* In degree 1 it compares nothing, which is no failure that an instance shows; from degree 2 on it is false. */
 static void compares_from_two_on_q(trial *T)
 {
@@ -827,6 +857,7 @@ int main(void)
                                        unit(of_instances_the_fewest_are_told),
                                        unit(names_and_what_they_stand_for),
                                        unit(data_of_different_kinds_are_mixed),
+                                       unit(conditions_that_data_meet),
                                        unit(what_is_proved_has_no_instances),
                                        unit(a_correction_needs_a_case),
                                        unit(orders_are_one_more),
