@@ -92,6 +92,34 @@ static void a_fault_of_an_early_case_is_kept(void **state)
     free_results(r, 1);
 }
 
+/* An early case that could not be computed is not forgotten for those that hold behind it, and a late one not for those before it. */
+static int unable_at;
+static void unable_somewhere_q(trial *T)
+{
+    if (T->degree == unable_at && !T->planted)
+        region_faults |= FAULT_UNABLE;
+    num_q x = unknown_q(T, "x", 0);
+    same_q(T, add_q(x, x), mul_q(from_int_q(T->planted ? 3 : 2), x));
+}
+static void one_case_that_is_undecided_counts(void **state)
+{
+    (void)state;
+    for (unable_at = 1; unable_at <= 4; unable_at++) {
+        const claim c = {.name = "unable somewhere",
+                         .scope = "",
+                         .kind = DECISION,
+                         .degree_low = 1,
+                         .degree_high = 3,
+                         .degree_sampled = 3,
+                         .body = {[RATIONAL_TYPE] = unable_somewhere_q}};
+        claim_result *r = judge_one(&c);
+        assert_int_equal(r->by[RATIONAL_TYPE].outcome, unable_at > 3 ? HOLDS : UNDECIDED);
+        assert_int_equal(r->outcome, unable_at > 3 ? HOLDS : UNDECIDED);
+        assert_int_equal(r->as_expected, unable_at > 3);
+        free_results(r, 1);
+    }
+}
+
 static void degree_q(trial *T) { same_q(T, from_int_q(T->degree), from_int_q(T->planted ? -1 : T->degree)); }
 static void every_degree_has_an_instance(void **state)
 {
@@ -273,18 +301,22 @@ static void names_and_what_they_stand_for(void **state)
 {
     (void)state;
     static const struct {
-        const char *over, *variables, *left, *words;
-    } list[] = {{"w#: weights", "w0 w1", NULL, "all weights"},
-                {"w#: weights", "w w0", NULL, "all weights, all other data"},
-                {"alpha; beta", "alpha beta", NULL, "every α and β"},
-                {"alpha; beta", "alpha beta", "x alpha", "every α"},
-                {"alpha; beta", "alpha beta", "beta", "every β"},
-                {"e: ε; beta", "e beta", "varepsilon x", "every ε"}, /* the last one of all */
-                {"w#: weights; v#: equal weights", "w0 v0", NULL, "all equal weights"}};
+        const char *over, *variables, *left, *words, *positive;
+    } list[] = {{"w#: weights", "w0 w1", NULL, "all weights", NULL},
+                {"w#: weights", "w w0", NULL, "all weights, all other data", NULL},
+                {"alpha; beta", "alpha beta", NULL, "every α and β", NULL},
+                {"alpha; beta", "alpha beta", "x alpha", "every α", NULL},
+                {"alpha; beta", "alpha beta", "beta", "every β", NULL},
+                {"e: ε; beta", "e beta", "varepsilon x", "every ε", NULL}, /* the last one of all */
+                {"w#: weights; v#: equal weights", "w0 v0", NULL, "all equal weights", NULL},
+                {"a; b; c", "a b c", "b", "every b, every positive a",
+                 "a"}}; /* what is positive is asked for, whoever named it */
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         const claim c = {.name = "names", .scope = "", .over = list[k].over, .argued_for = ""};
-        char variables[32], positive[] = "";
+        char variables[32], positive[8] = "";
         strcpy(variables, list[k].variables);
+        if (list[k].positive != NULL)
+            strcpy(positive, list[k].positive);
         claim_result r = {.claim = &c, .computed = PROVED, .evidence = PROVED};
         r.by[FIELD_TYPE] = (type_result){.ran = 1, .outcome = HOLDS, .variables = variables, .positive = positive};
         scope s = scope_of(&r);
@@ -533,13 +565,13 @@ static void a_result_has_a_sign(void **state)
 
 /* ---- what is written of a claim ------------------------------------------------------------------------ */
 
-/* 9000 sums in degree 1, one in degree 2. */
+/* 9000 sums in the degrees that are odd, one in the others. */
 static void long_in_degree_one_q(trial *T)
 {
     num_q sum = unknown_q(T, "x", 0), one = from_int_q(1), less = sum;
-    for (int k = 0; k < (T->degree == 1 ? 9000 : 1); k++)
+    for (int k = 0; k < (T->degree % 2 == 1 ? 9000 : 1); k++)
         sum = add_q(sum, one);
-    same_q(T, sum, add_q(less, from_int_q(T->planted ? -1 : T->degree == 1 ? 9000 : 1)));
+    same_q(T, sum, add_q(less, from_int_q(T->planted ? -1 : T->degree % 2 == 1 ? 9000 : 1)));
 }
 static void of_two_cases_the_long_one_is_left_out(void **state)
 {
@@ -558,6 +590,28 @@ static void of_two_cases_the_long_one_is_left_out(void **state)
     assert_int_equal(count, 1);
     assert_int_equal(recorded[0].degree, 2);
     region_faults = 0; /* of the program that was too long */
+    free(text);
+    free_results(r, 1);
+}
+
+/* Of cases that are all long the first one is recorded after all. */
+static void of_long_cases_alone_the_first_is_left(void **state)
+{
+    (void)state;
+    const claim c = {.name = "long in degree one",
+                     .scope = "",
+                     .degree_low = 1,
+                     .degree_high = 1,
+                     .degree_sampled = 1,
+                     .body = {[RATIONAL_TYPE] = long_in_degree_one_q}};
+    claim_result *r = judge_one(&c);
+    struct recorded_case recorded[MOST_RECORDED];
+    int count;
+    char *text = certificate_of_claim(r, &count, recorded);
+    assert_int_equal(count, 1);
+    assert_int_equal(recorded[0].degree, 1);
+    assert_true(recorded[0].nodes > 9000);
+    region_faults = 0;
     free(text);
     free_results(r, 1);
 }
@@ -851,6 +905,7 @@ int main(void)
                                        unit(a_node_and_itself_are_counted),
                                        unit(nodes_are_compared_to_their_end),
                                        unit(a_fault_of_an_early_case_is_kept),
+                                       unit(one_case_that_is_undecided_counts),
                                        unit(every_degree_has_an_instance),
                                        unit(entries_beyond_the_bits_of_an_int),
                                        unit(degrees_without_end),
@@ -877,6 +932,7 @@ int main(void)
                                        unit(a_number_without_index_is_a_variable_of_the_field),
                                        unit(a_search_among_more_inputs_than_are_kept),
                                        unit(of_two_cases_the_long_one_is_left_out),
+                                       unit(of_long_cases_alone_the_first_is_left),
                                        unit(rows_of_numbers_are_told_by_their_ends),
                                        unit(the_search_for_a_witness_leaves_the_faults)};
     return run_unit_tests(tests);
