@@ -139,6 +139,14 @@ static void bad_arguments_are_refused(void **state)
     assert_int_equal(cagd_rational_standard_form(2, (double[]){-1, -1, 0}, out), CAGD_SIGN);
     assert_int_equal(cagd_rational_invariants(1, w, out), CAGD_DEGREE);
     assert_int_equal(cagd_rational_invariants(2, (double[]){0, 1, 1}, out), CAGD_UNDEFINED);
+    assert_int_equal(cagd_rational_invariants(2, (double[]){1, 1, 0}, out), CAGD_UNDEFINED);
+    assert_int_equal(cagd_rational_invariants(2, (double[]){1, 0, 1}, out), CAGD_OK);
+    assert_true(out[0] == 0);
+    for (int zero = 0; zero <= 3; zero++) { /* in degree 3 each is in a denominator */
+        double one_is_zero[4] = {1, 2, 3, 4};
+        one_is_zero[zero] = 0;
+        assert_int_equal(cagd_rational_invariants(3, one_is_zero, out), CAGD_UNDEFINED);
+    }
     assert_int_equal(cagd_conic_implicit(NULL, w, out), CAGD_NULL);
     for (int i = 0; i < 12; i++) {
         memcpy(bad, R, sizeof bad);
@@ -206,6 +214,17 @@ static void nothing_behind_a_result_counts(void **state)
     assert_true(isfinite(a[1]) && isnan(a[2]));
     assert_int_equal(cagd_conic_implicit(R, w, no_numbers(a)), CAGD_OK);
     assert_true(isfinite(a[5]) && isnan(a[6]));
+}
+
+/* Weights that are all negative have the standard form of those that are positive. */
+static void weights_below_zero_have_a_standard_form(void **state)
+{
+    (void)state;
+    double above[3], below[3];
+    assert_int_equal(cagd_rational_standard_form(2, (double[]){4, 3, 1}, above), CAGD_OK);
+    assert_int_equal(cagd_rational_standard_form(2, (double[]){-4, -3, -1}, below), CAGD_OK);
+    same(3, above, below);
+    assert_true(above[0] == 1 && above[1] == 1.5 && above[2] == 1);
 }
 
 static void what_has_no_value_is_undefined(void **state)
@@ -340,6 +359,7 @@ int main(void)
         cmocka_unit_test(every_coordinate_is_asked_for),
         cmocka_unit_test(nothing_behind_a_result_counts),
         cmocka_unit_test(what_has_no_value_is_undefined),
+        cmocka_unit_test(weights_below_zero_have_a_standard_form),
         cmocka_unit_test(what_leaves_binary64_is_out_of_range),
         cmocka_unit_test(whichever_number_leaves_the_range_is_seen),
         cmocka_unit_test(conic_types_are_exact),

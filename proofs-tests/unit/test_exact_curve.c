@@ -88,6 +88,26 @@ static void inserted_knots_are_removed_again(void **state)
     }
 }
 
+/* Of points at the origin the weights alone say that a knot counts: 1, 1/2, 1/3, ... are none of a polynomial of that degree. */
+static void weights_alone_hold_a_knot(void **state)
+{
+    (void)state;
+    for (int p = 1; p <= 4; p++)
+        for (int dim = 1; dim <= DIM; dim++) {
+            num_q knots[12], points[6 * DIM], weights[6];
+            int where;
+            for (int i = 0; i < 2 * p + 3; i++)
+                knots[i] = from_int_q(i <= p ? 0 : i == p + 1 ? 1 : 2);
+            for (int m = 0; m < (p + 2) * dim; m++)
+                points[m] = from_int_q(0);
+            for (int i = 0; i < p + 2; i++)
+                weights[i] = from_ratio_q(1, i + 1);
+            const cagd_spline_q s = {p, p + 2, dim, knots, points, weights};
+            cagd_spline_q back;
+            assert_int_equal(cagd_spline_remove_q(&s, from_int_q(1), &back, &where), CAGD_CHANGES);
+        }
+}
+
 static void raised_degrees_are_lowered_again(void **state)
 {
     (void)state;
@@ -304,6 +324,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         unit(knots_of_every_multiplicity_are_removed),
         unit(inserted_knots_are_removed_again),
+        unit(weights_alone_hold_a_knot),
         unit(raised_degrees_are_lowered_again),
         unit(parts_and_segments_are_the_curve),
         unit(a_circle_has_one_curvature_and_no_pole),

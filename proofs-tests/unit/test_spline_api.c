@@ -13,16 +13,17 @@
 
 #include <cmocka.h>
 
-/* Cubics of space over four kinds of knots: clamped, with inner knots of multiplicity 1, 2 and 4; not clamped; with a
- * multiple knot at the start of the domain.  Weights are powers of two, so that they come back from homogeneous
+/* Cubics of space over kinds of knots: clamped, with inner knots of multiplicity 1, 2 and 4; not clamped; with a
+ * multiple knot at the start of the domain; with an inner knot of multiplicity 3.  Weights are powers of two, so that they come back from homogeneous
  * coordinates as they were. */
-enum { P = 3, DIM = 3, CURVES = 3, MOST = 16, ROOM = 256 };
+enum { P = 3, DIM = 3, CURVES = 4, MOST = 16, ROOM = 256 };
 static const double knots[CURVES][MOST + P + 1] = {
     {0, 0, 0, 0, 0.7, 1.1, 1.1, 2.3, 2.3, 2.3, 2.3, 3.1, 3.1, 3.1, 3.1},
     {-1.3, -0.4, 0.2, 0.9, 1.3, 2.2, 2.9, 4.1, 5.3, 5.9},
     {-2, -1, 0.5, 0.5, 1.5, 2.5, 3.5, 3.5, 3.5, 7},
+    {0, 0, 0, 0, 1.3, 1.3, 1.3, 2.6, 3.1, 3.1, 3.1, 3.1},
 };
-static const int counts[CURVES] = {11, 6, 6};
+static const int counts[CURVES] = {11, 6, 6, 8};
 static double points[MOST * DIM], weights[MOST];
 static const double inner[] = {0.95, 1.1, 1.3, 2.3, 2.6};
 
@@ -290,6 +291,22 @@ static void one_number_that_is_out_of_range_is_seen(void **state)
     assert_true(beyond > 0);
 }
 
+/* Of a quadratic whose weights 1 and -1 + 2^-53 nearly cancel halfway, one of the parts has a point beyond the range, and the point that
+ * both have is within it. */
+static void either_part_may_leave_the_range(void **state)
+{
+    (void)state;
+    const double knots_of_one[6] = {0, 0, 0, 1, 1, 1}, far[3] = {0, 1e300, -1e300}, turned[3] = {-1e300, 1e300, 0};
+    const double near_zero = -1 + DBL_EPSILON / 2, w[3] = {1, 1, near_zero}, v[3] = {near_zero, 1, 1};
+    double out[ROOM];
+    for (int right = 0; right < 2; right++) {
+        const cagd_spline s = {2, 3, 1, knots_of_one, right ? far : turned, right ? w : v};
+        assert_int_equal(cagd_spline_split(&s, 0.5, out, out + 8, out + 16, out + 24, out + 32, out + 40),
+                         CAGD_OVERFLOW);
+        assert_int_equal(cagd_spline_point(&s, 0.5, CAGD_RIGHT, out), CAGD_OK);
+    }
+}
+
 /* A knot p+2 times at the very end is too many; of the end of the domain, a knot twice that is no end of the knots, nothing is lowered. */
 static void knots_at_the_end(void **state)
 {
@@ -319,6 +336,7 @@ int main(void)
         cmocka_unit_test(what_has_no_value_is_undefined),
         cmocka_unit_test(knots_at_the_end),
         cmocka_unit_test(one_number_that_is_out_of_range_is_seen),
+        cmocka_unit_test(either_part_may_leave_the_range),
     };
     return cmocka_run_group_tests(tests, setup, NULL);
 }
