@@ -316,6 +316,8 @@ class Pages(unittest.TestCase):
         for block, words in ((":functions: b_1(t)" + ranges, "one index and an argument"), (":functions: b_i(0)" + ranges, "one index and an argument"),
                              (":functions: b_i(t)\n:for: 0 \\le t \\le 1", "i is not defined"), (":functions: b_i(t)\n:for: i = 0..99, 0 \\le t \\le 1", "2 to 33 functions"),
                              (ranges[1:], "without functions"), (":functions: b_i(t)" + ranges + "\n:find: z", "not defined"),
+                             (":functions: b_i(t)\n:for: i = 0, 2, 1, 0 \\le t \\le 1", "the range of the index is not known"),
+                             (":functions: b_i(t)\n:for: i = 0, 2, \\dots, 4, 0 \\le t \\le 1", "the range of the index is not known"),
                              (":functions: b_i(t)" + ranges + "\n:at: 1, 2, 3, 4", "at most 3"), (":function: b_i(t)", ":functions:")):
             r = self.check(block)
             self.assertEqual((r.returncode, r.stdout), (2, ""), block)

@@ -2,7 +2,7 @@
 
     python3 test_check.py CAGD
 
-literature.md has facts of the literature and the same with a fault, each with what has to come out; so have c-curves.md,
+literature.md has facts of the literature and the same with a fault, each with what has to come out; so have c-curves.md, corners.md,
 referee.md and, of bases with a parameter of shape, shape.md.  malformed.txt has a line
 for each mistake: where it stands (a formula, a range, a definition), the text, the line and column that are named, the message, and the part
 of the line that is marked.
@@ -224,6 +224,7 @@ class Literature(unittest.TestCase):
     def test_every_formula_is_what_the_file_says(self):
         self.answers("literature.md")
         self.answers("c-curves.md", 9)
+        self.answers("corners.md")
 
     def test_forms_that_are_rare(self):
         """Unequal vectors, equivalences, vectors by cases, sums for every n of powers of what is no name, what dots leave out."""
@@ -347,12 +348,12 @@ class Language(unittest.TestCase):
     """What is written in several ways means what it should: each with the same, changed in one place."""
 
     def test_true_and_false(self):
-        let = "x_i^{[r]} = x_i + r\n"
+        let = "x_i^{[r]} = x_i + r\nU(t) = V(t) + 1\nV(t) = W(t) + 1\nW(t) = X(t) + 1\nX(t) = Y(t) + 1\nY(t) = t\n"
         for true, false in (("F'(t)|_{t=x} = 2 x", "F'(t)|_{t=x} = 2 t"), ("\\left. F(t) \\right|_{t=x+1} = (x+1)^2", "\\left. F(t) \\right|_{t=x+1} = x^2"),
                             ("\\frac\\partial{\\partial t} t^3 = 3 t^2", "\\frac\\partial{\\partial t} t^3 = 3 t"),
                             ("\\frac{\\partial (t^2 x)}{\\partial t}\\Big|_{t=u} = 2 u x", "\\frac{\\partial (t^2 x)}{\\partial t}\\Big|_{t=u} = 2 t x"),
                             ("x_1^{[2]} = x_1 + 2", "x_1^{[2]} = x_1 + 1"), ("F(t) = \\dots = t^2", "F(t) = \\dots = t"),
-                            ("\\dots = t^2 = F(t)", "\\dots = t^2 = F(x)")):
+                            ("\\dots = t^2 = F(t)", "\\dots = t^2 = F(x)"), ("U(t) = t + 4", "U(t) = t + 3")):
             for printed, expected in ((true, "holds"), (false, "fails")):
                 with self.subTest(printed=printed):
                     self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected)
@@ -1880,8 +1881,11 @@ class Ranges(unittest.TestCase):
                                 ("(x - t)^2 \\ge 0", "all x"), ("(x - t)^2 > 0", "x < 0 and x > 1"), ("t \\le x \\le t + 1", "x = 1"), ("t \\le x < t + 1", "no x")):
             s = self.found(printed, "x", unit + "n = 1")
             self.assertEqual(s["values"].replace("− 1.", "−1."), values.replace("− 1.", "−1."), printed)
-        s = self.found("(x-2)^2 > 0", "x", "-1 \\le x \\le 2")
-        self.assertEqual(s["values"].replace("− ", "−"), "−1 ≤ x < 2")
+        for printed, ranges, values in (("(x-2)^2 > 0", "-1 \\le x \\le 2", "−1 ≤ x < 2"), ("\\frac{x-1}{x-3} \\ge 0", "n = 1", "x ≤ 1 and x > 3"), ("x \\ge t", "0 \\le t < 1", "x ≥ 1"),
+                                        ("x > t", "0 \\le t \\le 1", "x > 1"), ("x > t", "0 \\le t < 1", "x ≥ 1"), ("(x^2-2)^2 + t > 0", "0 \\le t \\le 1", "x < −1.414213…, −1.414213… < x < 1.414213… and x > 1.414213…"),
+                                        ("x + 1 \\ge 0", "x > 0", "x > 0"), ("x + 1 \\ge 0", "x \\ge 0", "x ≥ 0"), ("2 - x \\ge 0", "0 < x \\le 3", "0 < x ≤ 2"), ("2 - x \\ge 0", "0 \\le x < 2", "0 ≤ x < 2")):
+            s = self.found(printed, "x", ranges)
+            self.assertEqual(s["values"].replace("− ", "−"), values, printed)
 
     def test_ends_that_are_roots_are_decided_themselves(self):
         """Where the side of the other name is open or has no end, what is said holds at the root, or it touches there."""

@@ -166,13 +166,19 @@ static void test_detour(void)
 
 /* ---- beneath what the points are given to ------------------------------------------------------------------ */
 
-/* The conic through (u, height u (1-u) + off sin 40u), rounded to `unit` unless that is 0, with deviations unless these are 0. */
-static cagd_fit_quality quality_of(double height, double off, double unit, double deviation)
+/* What is off by off sin 40u; of one side, 1 or -1, by narrow peaks on it alone. */
+static double off_at(double u, double off, int side)
+{
+    return side == 0 ? off * sin(40 * u) : side * off * pow(fmax(0, sin(40 * u)), 9);
+}
+
+/* The conic through (u, height u (1-u) + off_at(u)), rounded to `unit` unless that is 0, with deviations unless these are 0. */
+static cagd_fit_quality quality_of_sides(double height, double off, double unit, double deviation, int side)
 {
     cagd_fit_quality quality = {.problems = ~0};
     cagd_fit_result *fit;
     for (int i = 0; i < POINTS; i++) {
-        const double u = i / (POINTS - 1.0), y = height * u * (1 - u) + off * sin(40 * u);
+        const double u = i / (POINTS - 1.0), y = height * u * (1 - u) + off_at(u, off, side);
         Q[2 * i] = unit > 0 ? rint(u / unit) * unit : u;
         Q[2 * i + 1] = unit > 0 ? rint(y / unit) * unit : y;
         sigma[i] = deviation;
@@ -187,6 +193,11 @@ static cagd_fit_quality quality_of(double height, double off, double unit, doubl
     ask(quality.runs.probability < 0.01 || quality.runs.local_probability < 0.01, "there is structure");
     cagd_fit_free(fit);
     return quality;
+}
+
+static cagd_fit_quality quality_of(double height, double off, double unit, double deviation)
+{
+    return quality_of_sides(height, off, unit, deviation, 0);
 }
 
 static int is_told(cagd_fit_quality q, cagd_fit_beneath beneath)
@@ -214,6 +225,11 @@ static void test_beneath(void)
     ask(is_told(quality_of(1, 0.001, 0, 0.0015), CAGD_FIT_BENEATH_DEVIATIONS),
         "structure within the given deviations is told");
     ask(counts(quality_of(1, 0.001, 0, 0.0005)), "beyond them it counts");
+    for (int side = -1; side <= 1; side += 2) {
+        ask(counts(quality_of_sides(1, 0.001, 0, 0.0005, side)), "so do points beyond them on one side alone");
+        ask(is_told(quality_of_sides(1, 0.001, 0, 0.001, side), CAGD_FIT_BENEATH_DEVIATIONS),
+            "which are told within them");
+    }
     ask(counts(quality_of(1, 1e-7, 0, 1e-8)), "so it does where deviations are smaller than the size asks for");
     ask(is_told(quality_of(1, 0.0015, 0.01, 0), CAGD_FIT_BENEATH_DIGITS),
         "structure within the rounding of two decimal places is told");
