@@ -4,7 +4,8 @@
  *
  * Arcs of 20 to 200 degrees, errors of 0.001 and 0.003 of the radius, 50 and 200 points, are fitted as cagd fit does without options.  A circle is
  * told of at least 9 in 10 of the arcs, within three standard deviations of
- * chance; of these the 95 % intervals of radius and centre hold the truth in 93 to 97 %, within as much.  Of ellipses whose axes the points tell apart it is told of at most 1 in 20, and so of a straight line. */
+ * chance; of these the 95 % intervals of radius and centre hold the truth in 93 to 97 %, within as much.  Of ellipses whose axes the points tell apart it is told of at most 1 in 20, and so of a straight line.  F is what its
+ * definition says. */
 #include "core/fit/cagd_fit.h"
 #include "proofs-tests/fit/noise.h"
 
@@ -112,12 +113,46 @@ static int others(int draws)
     return bad;
 }
 
+/* F, its probability and the distances by their definitions, from radius and centre; with deviations that differ and without. */
+static int by_definition(void)
+{
+    const setting s = {60, 0.002, 20, 80, 1};
+    static double points[2 * MOST], sigma[MOST];
+    int bad = 0;
+    for (int weighted = 0; weighted < 2; weighted++) {
+        measure(&s, points);
+        for (int i = 0; i < s.points; i++)
+            sigma[i] = i % 3 == 0 ? 0.004 : 0.002;
+        const cagd_fit_data data = {s.points, 2, points, weighted ? sigma : NULL};
+        const cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r = NULL;
+        cagd_fit_circle c = {0};
+        if (cagd_fit(&data, &o, &r, NULL) != CAGD_OK || cagd_fit_circle_of(&data, &o, r, &c) != CAGD_OK || !c.known)
+            return 1;
+        double round = 0, conic = 0, squares = 0;
+        for (int i = 0; i < s.points; i++) {
+            const double off =
+                hypot(points[2 * i] - c.centre[0].value, points[2 * i + 1] - c.centre[1].value) - c.radius.value;
+            const double weight = weighted ? 1 / (sigma[i] * sigma[i]) : 1;
+            round += weight * off * off, conic += weight * r->distances[i] * r->distances[i], squares += off * off;
+        }
+        const int freedom = s.points - 5;
+        const double f = (round - conic) / 2 / (conic / freedom), none = pow(1 + 2 * f / freedom, -freedom / 2.0);
+        bad += c.freedom != freedom || !(fabs(c.ratio - f) <= 1e-6 * (1 + f)) ||
+               !(fabs(c.probability - none) <= 1e-6) || !(fabs(c.rms - sqrt(squares / s.points)) <= 1e-9);
+        printf("F by its definition %.9f, told %.9f; chance %.9f, told %.9f\n", f, c.ratio, none, c.probability);
+        cagd_fit_free(r);
+    }
+    return bad;
+}
+
 int main(int argc, char **argv)
 {
     const int draws = argc > 1 ? atoi(argv[1]) : 400;
     state = argc > 2 ? strtoull(argv[2], NULL, 10) : 20261129;
     int bad = circles(draws);
     bad += others((draws + 1) / 2);
+    bad += by_definition();
     printf("%d numbers are not as they should be\n", bad);
     return bad > 0;
 }
