@@ -177,7 +177,7 @@ class Fit(Room):
     tests = {"test_fit_statistics": ["proofs-tests/unit/test_fit_statistics"], "test_fit_parts": ["proofs-tests/unit/test_fit_parts"],
              "test_certified": ["proofs-tests/fit/test_certified", ROOT / "proofs-tests/fit/problems",
                                 *(p.stem for p in sorted((ROOT / "proofs-tests/fit/problems").glob("*.json")) if p.stem != "twenty-thousand")],
-             "test_fit": ["proofs-tests/unit/test_fit"], "test_circle": ["proofs-tests/fit/test_circle", "1"], "test_coverage": ["proofs-tests/fit/test_coverage"],
+             "test_fit": ["proofs-tests/unit/test_fit"], "test_circle": ["proofs-tests/fit/test_circle", "20"], "test_coverage": ["proofs-tests/fit/test_coverage"],
              "test_memory": ["proofs-tests/fit/test_memory"], "test_verdict": ["proofs-tests/fit/test_verdict"],
              "test_splines": ["proofs-tests/fit/test_splines"]}
     KNOWS = {"circle": "test_circle", "beneath": "test_verdict", "detour": "test_verdict", "conic": "test_verdict", "quality": "test_verdict"}
