@@ -99,7 +99,7 @@ MISTAKES = [
     ("\\begin{equation}\\label{a} x = 1 % cagd: for n = 1\n", "7:1", "this environment does not end"),
     ("text \\[ x = 1", "7:6", "this formula does not end: expected \\]"),
     ("$$ x = 1", "7:1", "this formula does not end: expected $$"),
-    ("\\newcommand\\pair[2]{#1$ #2}\\pair$r", "7:24", "this formula does not end: expected $$"),
+    ("\\newcommand\\pair[2]{#1$ #2}\\pair$r", "7:28", "this formula does not end: expected $$"),
     ("% cagd: for n = 1..2\nText, and no formula.", "7:9", "no formula follows"),
     ("% cagd: for n = 1..2", "7:9", "no formula follows"),
     ("\\[ x = x % cagd: fro n = 1..2\n\\]", "7:18", "expected let, definition"),
