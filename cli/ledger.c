@@ -196,11 +196,12 @@ static json_t *ledger_json(const cagd_register *reg, const statement_result *lis
 }
 
 static const char *const report_names[] = {"ledger.txt", "summary.txt", "striking.txt", "ledger.json"};
+enum { REPORTS = sizeof report_names / sizeof *report_names };
 
 int promise_report(const char *folder)
 {
     int code = EXIT_AS_EXPECTED;
-    for (size_t k = 0; k < sizeof report_names / sizeof *report_names && code == EXIT_AS_EXPECTED; k++) {
+    for (int k = 0; k < REPORTS && code == EXIT_AS_EXPECTED; k++) {
         char path[4096];
         snprintf(path, sizeof path, "%s/%s", folder, report_names[k]);
         code = output_promise("report", path);
@@ -214,7 +215,7 @@ int write_report(const cagd_register *r, const char *folder, const claim_result 
     int statements, bad = make_folder(folder) != 0;
     const statement **all = matching_statements(r, &everything, &statements);
     statement_result *list = derive_all(all, statements, results, claims);
-    for (int k = 0; k < 4 && !bad; k++) {
+    for (int k = 0; k < REPORTS && !bad; k++) {
         char path[4096];
         snprintf(path, sizeof path, "%s/%s", folder, report_names[k]);
         struct output *o = output_open(path);

@@ -9,6 +9,7 @@
 #include "core/fit/cagd_fit.h"
 #include "proofs-tests/fit/noise.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -136,10 +137,14 @@ static int by_definition(void)
             const double weight = weighted ? 1 / (sigma[i] * sigma[i]) : 1;
             round += weight * off * off, conic += weight * r->distances[i] * r->distances[i], squares += off * off;
         }
+        /* A distance is a difference of numbers of the size of the centre, in some ten operations; chi_squared is as exact, twice, for distances
+         * of the size of their errors; and F is a difference of two, times `freedom`. */
         const int freedom = s.points - 5;
+        const double of_distance = 10 * DBL_EPSILON * hypot(centre[0], centre[1]), of_sum = 2 * of_distance / s.sigma;
         const double f = (round - conic) / 2 / (conic / freedom), none = pow(1 + 2 * f / freedom, -freedom / 2.0);
-        bad += c.freedom != freedom || !(fabs(c.ratio - f) <= 1e-6 * (1 + f)) ||
-               !(fabs(c.probability - none) <= 1e-6) || !(fabs(c.rms - sqrt(squares / s.points)) <= 1e-9);
+        const double of_f = freedom * of_sum * (1 + f);
+        bad += c.freedom != freedom || !(fabs(c.ratio - f) <= of_f) || !(fabs(c.probability - none) <= of_f) ||
+               !(fabs(c.rms - sqrt(squares / s.points)) <= of_distance);
         printf("F by its definition %.9f, told %.9f; chance %.9f, told %.9f\n", f, c.ratio, none, c.probability);
         cagd_fit_free(r);
     }
