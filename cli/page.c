@@ -11,23 +11,33 @@
 #include "cli/terminal.h"
 #include "cli/tex.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* A paragraph of the page; \5 is a TIE. */
+__attribute__((format(printf, 1, 2))) static void put_formatted(const char *format, ...)
+{
+    char *text;
+    size_t size;
+    FILE *out = text_open(&text, &size);
+    va_list arguments;
+    va_start(arguments, format);
+    vfprintf(out, format, arguments);
+    va_end(arguments);
+    text_close(out, &text);
+    put_paragraph(stdout, text, 0, page_width(WIDEST));
+    free(text);
+}
+
 /* The first lines of a page: a title in both languages, an id and where it stands. */
 static void title(const char *english, const char *chinese, const char *id, const char *file, int line)
 {
-    char *text = malloc(strlen(english) + strlen(chinese) + strlen(id) + strlen(file) + 32);
-    if (text == NULL)
-        abort();
     fputs(style(stdout, BOLD), stdout);
-    sprintf(text, "%s\5 %s", english, chinese);
-    put_paragraph(stdout, text, 0, page_width(WIDEST));
+    put_formatted("%s\5 %s", english, chinese);
     fputs(style(stdout, PLAIN), stdout);
-    sprintf(text, "%s\5 (%s:%d)", id, file, line);
-    put_paragraph(stdout, text, 0, page_width(WIDEST));
-    free(text);
+    put_formatted("%s\5 (%s:%d)", id, file, line);
 }
 
 /* The text that the statement is from: "Wang Guojin et al.: 计算机辅助几何设计 (...), chapter 3, 2001". */
@@ -126,9 +136,9 @@ static void print_claim_lines(const claim_result *r)
 
 /* What the claim does for a statement that names it. */
 static const char *const role_words[] = {
-    [HOLDS_BY] = "decides",  [CONFIRMED_BY] = "confirms",      [REFUTED_BY] = "refutes",    [CORRECTED_BY] = "corrects",
-    [CHECKED_BY] = "checks", [HYPOTHESIS] = "a hypothesis of", [NEEDS] = "a hypothesis of", [READING] = "a reading of",
-    [READING_WITH] = "a reading of"};
+    [HOLDS_BY] = "decides",      [CONFIRMED_BY] = "confirms", [REFUTED_BY] = "refutes",
+    [CORRECTED_BY] = "corrects", [CHECKED_BY] = "checks",     [HYPOTHESIS] = "a hypothesis of",
+    [NEEDS] = "a hypothesis of", [READING] = "a reading of",  [READING_WITH] = "a reading of"};
 
 void print_claim(const cagd_register *reg, const claim_result *r)
 {
@@ -232,7 +242,8 @@ static void print_verdict(const statement_result *r, const claim_result *results
         print_finding("A definition, with what is checked of it", &r->as_printed);
     else
         print_finding(words[r->verdict], &r->as_printed);
-    labelled(r->verdict == VERDICT_DEFINITION ? "An example:" : "One instance is enough:", r->statement->example, INDENT);
+    labelled(r->verdict == VERDICT_DEFINITION ? "An example:" : "One instance is enough:", r->statement->example,
+             INDENT);
 }
 
 /* Claims that did not do what they should: while there is one, the verdict is not that of the statement. */
