@@ -277,7 +277,8 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
     print_deciding_claims(s, results, count);
     print_failing_readings(s, results, count);
     print_counterexamples(s, results, count);
-    if (r->verdict != VERDICT_FAILS && r->as_printed.evidence != NO_EVIDENCE) {
+    int says_why = r->verdict != VERDICT_FAILS && r->as_printed.evidence != NO_EVIDENCE;
+    if (says_why) {
         heading(s->is_definition ? "What is checked" : "Why");
         print_deciders(s, deciding, results, count);
         print_steps(s, deciding, &r->as_printed, 1, results, count);
@@ -287,7 +288,7 @@ void print_statement(const cagd_register *reg, const statement_result *r, const 
         formula(s->corrected, INDENT);
         print_finding("It holds", &r->as_corrected);
         print_deciders(s, CORRECTED_BY, results, count);
-        print_steps(s, CORRECTED_BY, &r->as_corrected, r->verdict == VERDICT_FAILS, results, count);
+        print_steps(s, CORRECTED_BY, &r->as_corrected, !says_why, results, count);
     }
     if (s->note[0] != '\0') {
         heading("Remarks");

@@ -71,7 +71,7 @@ void same_m(trial *T, num_m a, num_m b)
 {
     double allowed = error_bound_m(a) + error_bound_m(b), error = fabs(a.v - b.v);
     double part = error == 0 ? 0 : error / allowed;
-    if (!(part <= T->worst))
+    if (!isnan(T->worst) && !(part <= T->worst))
         T->worst = part;
     if (first_failure(T, part <= 1)) {
         show_text(T, "left", "%s", text_m(a));

@@ -27,10 +27,20 @@ struct gathering {
     int bounded; /* whether some claim is limited to degrees, and no words lead further */
 };
 
+/* Whether the part is one of those that semicolons keep apart. */
+static int has_part(const char *all, const char *part)
+{
+    size_t length = strlen(part);
+    for (const char *at = all; at != NULL && (at = strstr(at, part)) != NULL; at++)
+        if ((at == all || (at >= all + 2 && strncmp(at - 2, "; ", 2) == 0)) && (at[length] == '\0' || at[length] == ';'))
+            return 1;
+    return 0;
+}
+
 static void add_cases(struct gathering *g, const char *cases)
 {
     size_t old = g->argued_for != NULL ? strlen(g->argued_for) : 0;
-    if (!is_given(cases) || (old > 0 && strstr(g->argued_for, cases) != NULL))
+    if (!is_given(cases) || has_part(g->argued_for, cases))
         return;
     char *longer = realloc(g->argued_for, old + strlen(cases) + 3);
     if (longer == NULL)
@@ -115,10 +125,12 @@ finding finding_of_reading(const statement *s, const statement_link *reading, co
     return found(&g, s->letter, 0);
 }
 
-/* Whether the claims of a reading have no case in common. */
-static int is_empty_reading(const statement_link *reading, const claim_result *results, int count)
+/* Whether the claims of a reading have no case in common that is one of the statement. */
+static int is_empty_reading(const statement *s, const statement_link *reading, const claim_result *results, int count)
 {
     struct gathering g = gather_reading(reading, results, count);
+    if (s->degree > 0)
+        keep_degree(&g.scope, s->degree);
     int is = is_empty_scope(&g.scope);
     free(g.argued_for);
     free_scope(&g.scope);
@@ -214,7 +226,7 @@ statement_result derive(const statement *s, const claim_result *results, int cou
             break;
         case READING:
             n.failing_readings += c != NULL && c->outcome == FAILS;
-            r.as_expected &= !is_empty_reading(link, results, count);
+            r.as_expected &= !is_empty_reading(s, link, results, count);
             break;
         default:
             break;

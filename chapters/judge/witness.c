@@ -147,7 +147,8 @@ static void simplify(struct search *s, trial *T)
         }
     }
     forget_exhibits(T->shown, T->exhibits);
-    (void)fails(s, T); /* the values of the last change that was kept */
+    (void)fails(s, T); /* the values of the last change that was kept, and no more of them */
+    s->data.count = s->data.next;
 }
 
 /* ---- what is told ---------------------------------------------------------------------------------- */

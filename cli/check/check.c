@@ -52,7 +52,7 @@ static char *text_of_failure(const json_t *entry)
     const char *order = json_string_value(json_object_get(example, "left_is")); /* where a number is a root */
     if (order != NULL)
         fprintf(out, "; the left side is %s the right one", order);
-    else if (json_is_object(example))
+    else if (json_is_string(json_object_get(example, "left")))
         fprintf(out, "; left = %s; right = %s", json_string_value(json_object_get(example, "left")),
                 json_string_value(json_object_get(example, "right")));
     text_close(out, &text);

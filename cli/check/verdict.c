@@ -554,7 +554,7 @@ void print_finding_page(const struct document *d, const struct formula *s, const
     } else if (f->answer == CAGD_FAILS) {
         words = append("", "It fails as printed (decided)");
         if (f->cases > 1)
-            words = append(words, ": in %ld of %ld cases%s", f->failing, f->cases, f->undecided > 0 ? "" : "");
+            words = append(words, ": in %ld of %ld cases", f->failing, f->cases);
         if (f->undecided > 0)
             words = append(words, ", %ld undecided", f->undecided);
         words = append(words, ".");

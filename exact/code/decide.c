@@ -444,7 +444,7 @@ static void search_rounding(const struct cagd_code_program *p, const struct cagd
     for (long k = 0; k < points; k++) {
         struct cagd_code_point *point = cagd_code_point_new(h, k, 1);
         int by_chance = 1;
-        if (k > points / 2 && v->worsts > 0 && v->worst[k % v->worsts].point != NULL) {
+        if (k > points / 2 && point->inputs > 0 && v->worsts > 0 && v->worst[k % v->worsts].point != NULL) {
             struct cagd_code_point *near = cagd_code_point_copy(v->worst[k % v->worsts].point);
             int i = (int)(k % near->inputs);
             int count = near->input[i].count > 0 ? near->input[i].count : 1;

@@ -82,32 +82,7 @@ enum { BITS = 320 };
 
 typedef int function(mpfr_t, const mpfr_t, mpfr_rnd_t);
 
-/* f(x) with an error below 2^-180 of it: x is rounded to 320 bits, |x| < 2^64, and what f makes of that is below 2^-190 of a
- * result that is neither below 2^-100 nor above 2^100. */
-static cagd_num_i enclosed_at(cagd_num_q q, function *f, const char *name)
-{
-    mpfr_t x, y, error;
-    mpq_t end;
-    mpq_init(end);
-    mpfr_inits2(BITS, x, y, error, (mpfr_ptr)0);
-    mpfr_set_q(x, q.at, MPFR_RNDN);
-    f(y, x, MPFR_RNDN);
-    if (mpfr_cmpabs_ui(x, 1) > 0 && mpfr_get_exp(x) > 64)
-        cagd_code_stop(CAGD_CODE_REFUSED, "%s of a number beyond 2^64", name);
-    if (!mpfr_number_p(y) || mpfr_zero_p(y) || mpfr_get_exp(y) < -100 || mpfr_get_exp(y) > 100)
-        cagd_code_stop(CAGD_CODE_REFUSED, "%s where its value is too large, too small or not there", name);
-    mpfr_mul_2si(error, y, -180, MPFR_RNDA);
-    mpfr_abs(error, error, MPFR_RNDN);
-    mpfr_sub(x, y, error, MPFR_RNDD);
-    mpfr_add(y, y, error, MPFR_RNDU);
-    mpfr_get_q(end, x);
-    cagd_num_i low = cagd_from_rational_i(cagd_from_mpq_q(end));
-    mpfr_get_q(end, y);
-    cagd_num_i both = cagd_hull_i(low, cagd_from_rational_i(cagd_from_mpq_q(end)));
-    mpfr_clears(x, y, error, (mpfr_ptr)0);
-    mpq_clear(end);
-    return both;
-}
+enum shape { MONOTONE, STEEP, SLOW }; /* between the values at the ends; neither; |f'| <= 1 */
 
 static cagd_num_q end_of(mpfr_srcptr x)
 {
@@ -119,7 +94,44 @@ static cagd_num_q end_of(mpfr_srcptr x)
     return end;
 }
 
-enum shape { MONOTONE, STEEP, SLOW }; /* between the values at the ends; neither; |f'| <= 1 */
+/* f(x): between its values, rounded outwards, at the two numbers of 320 bits beside x, where f is monotone from one to the other; where it
+ * need not be, their distance further, |f'| being at most 1.  A pole of the tangent between them makes the values larger than 2^100. */
+static cagd_num_i enclosed_at(cagd_num_q q, function *f, const char *name, enum shape shape)
+{
+    static const mpfr_rnd_t beside[] = {MPFR_RNDD, MPFR_RNDU};
+    mpfr_t x[2], low, high;
+    mpfr_inits2(BITS, x[0], x[1], low, high, (mpfr_ptr)0);
+    cagd_num_i at[2];
+    for (int k = 0; k < 2; k++) {
+        mpfr_set_q(x[k], q.at, beside[k]);
+        f(low, x[k], MPFR_RNDD);
+        f(high, x[k], MPFR_RNDU);
+        if (mpfr_cmpabs_ui(x[k], 1) > 0 && mpfr_get_exp(x[k]) > 64)
+            cagd_code_stop(CAGD_CODE_REFUSED, "%s of a number beyond 2^64", name);
+        if (!mpfr_number_p(low) || mpfr_zero_p(low) || mpfr_get_exp(low) < -100 || mpfr_get_exp(low) > 100)
+            cagd_code_stop(CAGD_CODE_REFUSED, "%s where its value is too large, too small or not there", name);
+        at[k] = cagd_hull_i(cagd_from_rational_i(end_of(low)), cagd_from_rational_i(end_of(high)));
+    }
+    cagd_num_i both = cagd_hull_i(at[0], at[1]);
+    if (shape == SLOW) {
+        cagd_num_q apart = cagd_sub_q(end_of(x[1]), end_of(x[0]));
+        both = cagd_add_i(both, cagd_hull_i(cagd_from_rational_i(cagd_neg_q(apart)), cagd_from_rational_i(apart)));
+    }
+    mpfr_clears(x[0], x[1], low, high, (mpfr_ptr)0);
+    return both;
+}
+
+/* In a run with rounding: v is what f makes of a, the binary64 that of its plain form, the error that of a times the slope. */
+static void make_plainly(value *v, value a, double (*plain)(double), const char *name)
+{
+    if (!rounding())
+        return;
+    double h = a.d != 0 ? fabs(a.d) * 0x1p-26 : 0x1p-26, slope = (plain(a.d + h) - plain(a.d - h)) / (2 * h);
+    if (a.shares > 0 && !isfinite(slope))
+        cagd_code_stop(CAGD_CODE_REFUSED, "the error of %s where it has no slope", name);
+    v->d = plain(a.d);
+    cagd_code_shared(v, a, slope, (value){.d = 0}, 0, 0);
+}
 
 static value enclosed(value a, function *f, double (*plain)(double), const char *name, enum shape shape)
 {
@@ -130,22 +142,26 @@ static value enclosed(value a, function *f, double (*plain)(double), const char 
         cagd_code_stop(CAGD_CODE_REFUSED, "%s of a number for which it is not rational", name);
     value v = {.d = plain(a.d)};
     if (a.q.at != NULL) {
-        v.i = enclosed_at(a.q, f, name);
+        v.i = enclosed_at(a.q, f, name, shape);
     } else {
         cagd_num_q low = end_of(a.i.at->lo), high = end_of(a.i.at->hi), width = cagd_sub_q(high, low);
         if (shape == STEEP)
             cagd_code_stop(CAGD_CODE_REFUSED, "%s of an interval", name);
-        v.i = enclosed_at(low, f, name);
+        v.i = enclosed_at(low, f, name, shape);
         if (shape == MONOTONE)
-            v.i = cagd_hull_i(v.i, enclosed_at(high, f, name));
+            v.i = cagd_hull_i(v.i, enclosed_at(high, f, name, shape));
         else
             v.i =
                 cagd_hull_i(cagd_sub_i(v.i, cagd_from_rational_i(width)), cagd_add_i(v.i, cagd_from_rational_i(width)));
     }
-    if (rounding()) {
-        double h = a.d != 0 ? fabs(a.d) * 0x1p-26 : 0x1p-26, slope = (plain(a.d + h) - plain(a.d - h)) / (2 * h);
-        cagd_code_shared(&v, a, slope, (value){.d = 0}, 0, 0);
-    }
+    make_plainly(&v, a, plain, name);
+    return v;
+}
+
+/* f(a) = v, exactly. */
+static value known(value v, value a, double (*plain)(double), const char *name)
+{
+    make_plainly(&v, a, plain, name);
     return v;
 }
 
@@ -153,7 +169,7 @@ static value enclosed(value a, function *f, double (*plain)(double), const char 
     double cagd_code_lib_##name(double x)                                                                              \
     {                                                                                                                  \
         value a = of(x);                                                                                               \
-        return number(is_just(a, exact_at) ? cagd_code_integer(exactly)                                                \
+        return number(is_just(a, exact_at) ? known(cagd_code_integer(exactly), a, name, #name)                         \
                                            : enclosed(a, mpfr_##name, name, #name, shape));                            \
     }
 ENCLOSED(exp, 0, 1, MONOTONE)
@@ -173,7 +189,7 @@ double cagd_code_lib_exp2(double x)
 {
     value a = of(x);
     if (!a.special && a.f.at == NULL && a.q.at != NULL && cagd_is_whole_q(a.q) && fabs(cagd_to_double_q(a.q)) < 1e6)
-        return cagd_code_power(2, (int32_t)cagd_to_double_q(a.q));
+        return number(known(of(cagd_code_power(2, (int32_t)cagd_to_double_q(a.q))), a, exp2, "exp2"));
     return number(enclosed(a, mpfr_exp2, exp2, "exp2", MONOTONE));
 }
 
@@ -186,7 +202,7 @@ static double whole_logarithm(double x, long base, function *f, double (*plain)(
         if (labs(n) < 100000) {
             value power = of(cagd_code_power((double)base, (int32_t)n));
             if (power.q.at != NULL && cagd_equal_q(power.q, a.q))
-                return (double)n;
+                return number(known(cagd_code_integer(n), a, plain, name));
         }
     }
     return number(enclosed(a, f, plain, name, MONOTONE));
@@ -276,14 +292,15 @@ double cagd_code_lib_cbrt(double x)
         cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNABLE;
         return number(enclosed(a, mpfr_cbrt, cbrt, "cbrt", MONOTONE));
     }
-    value v = cagd_code_constant(negative ? cagd_neg_q(root) : root);
-    return number(v);
+    return number(known(cagd_code_constant(negative ? cagd_neg_q(root) : root), a, cbrt, "cbrt"));
 }
 
 double cagd_code_lib_pow(double x, double y)
 {
     value a = of(x), n = of(y);
-    if (is_just(n, 0) || is_just(a, 1))
+    if (n.shares > 0)
+        cagd_code_stop(CAGD_CODE_REFUSED, "pow with an exponent that was rounded");
+    if (is_just(n, 0) || (is_just(a, 1) && a.shares == 0))
         return 1;
     if (a.special || n.special)
         return pow(a.special ? a.d : cagd_code_real(a), n.special ? n.d : cagd_code_real(n));
@@ -362,7 +379,12 @@ double cagd_code_lib_fmax(double x, double y)
     return cagd_code_compare(x, y, 2) ? x : y;
 }
 
-double cagd_code_lib_fdim(double x, double y) { return cagd_code_compare(x, y, 2) ? cagd_code_sub(x, y) : 0; }
+double cagd_code_lib_fdim(double x, double y)
+{
+    if (is_nan(x) || is_nan(y))
+        return is_nan(x) ? x : y;
+    return cagd_code_compare(x, y, 2) ? cagd_code_sub(x, y) : 0;
+}
 
 double cagd_code_lib_copysign(double x, double y)
 {
@@ -374,6 +396,8 @@ double cagd_code_lib_copysign(double x, double y)
 static double rest(double x, double y, enum cagd_code_rounding how)
 {
     value a = of(x), b = of(y);
+    if (!a.special && b.special && isinf(b.d))
+        return x;
     if (a.special || b.special)
         return fmod(a.special ? a.d : cagd_code_real(a), b.special ? b.d : cagd_code_real(b));
     value n = cagd_code_whole(cagd_code_quotient(a, b), how);
@@ -437,8 +461,9 @@ double cagd_code_lib_frexp(double x, int *n)
 
 double cagd_code_lib_modf(double x, double *whole)
 {
+    value a = of(x);
     *whole = cagd_code_lib_trunc(x);
-    return cagd_code_sub(x, *whole);
+    return a.special && isinf(a.d) ? 0 : cagd_code_sub(x, *whole);
 }
 
 int cagd_code_lib_isnan(double x) { return is_nan(x); }

@@ -102,10 +102,12 @@ static cagd_code_value combine(const struct arithmetic *o, cagd_code_value a, ca
     return v;
 }
 
-/* An infinity or a NaN among the operands: as IEEE 754 has it, of which the sign of the other one matters. */
-static double stand_in(cagd_code_value v)
+/* Beside an infinity or a NaN, as IEEE 754 has it, a number can be any other one: in sums; in products and quotients any of its sign, which is
+ * a condition of the way where the other operand is an infinity. */
+static double in_sum(cagd_code_value v) { return v.special ? v.d : 0; }
+static double in_product(cagd_code_value v, cagd_code_value other)
 {
-    return v.special ? v.d : v.q.at != NULL ? (double)cagd_sign_q(v.q) : (double)cagd_sign_i(v.i);
+    return v.special ? v.d : isnan(other.d) ? 1 : (double)cagd_code_sign(v);
 }
 
 static int rounding(void) { return cagd_code_machine.job->numbers == CAGD_CODE_ROUNDING; }
@@ -122,7 +124,7 @@ cagd_code_value cagd_code_sum(cagd_code_value a, cagd_code_value b)
 {
     static const struct arithmetic o = {cagd_add_q, cagd_add_i, cagd_add_f};
     if (a.special || b.special)
-        return cagd_code_special(stand_in(a) + stand_in(b));
+        return cagd_code_special(in_sum(a) + in_sum(b));
     cagd_code_value v = combine(&o, a, b);
     if (rounding()) {
         v.d = a.d + b.d;
@@ -136,7 +138,7 @@ cagd_code_value cagd_code_difference(cagd_code_value a, cagd_code_value b)
 {
     static const struct arithmetic o = {cagd_sub_q, cagd_sub_i, cagd_sub_f};
     if (a.special || b.special)
-        return cagd_code_special(stand_in(a) - stand_in(b));
+        return cagd_code_special(in_sum(a) - in_sum(b));
     cagd_code_value v = combine(&o, a, b);
     if (rounding()) {
         v.d = a.d - b.d;
@@ -150,7 +152,7 @@ cagd_code_value cagd_code_product(cagd_code_value a, cagd_code_value b)
 {
     static const struct arithmetic o = {cagd_mul_q, cagd_mul_i, cagd_mul_f};
     if (a.special || b.special)
-        return cagd_code_special(stand_in(a) * stand_in(b));
+        return cagd_code_special(in_product(a, b) * in_product(b, a));
     cagd_code_value v = combine(&o, a, b);
     if (rounding()) { /* x^ y^ - x y = y (x^ - x) + x^ (y^ - y) */
         v.d = a.d * b.d;
@@ -194,9 +196,10 @@ cagd_code_value cagd_code_quotient(cagd_code_value a, cagd_code_value b)
 {
     static const struct arithmetic o = {cagd_div_q, cagd_div_i, cagd_div_f};
     if (a.special || b.special) {
-        if (!b.special && stand_in(b) == 0)
+        double x = in_product(a, b), y = in_product(b, a);
+        if (!b.special && y == 0)
             cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by zero");
-        return cagd_code_special(stand_in(a) / stand_in(b));
+        return cagd_code_special(x / y);
     }
     if (b.q.at != NULL && cagd_is_zero_q(b.q))
         cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by zero");

@@ -145,7 +145,6 @@ static int consecutive_minors_positive(struct matrix m)
             }
             mpz_set(divisor[i], entry(m, i, k));
         }
-        mpz_set(divisor[k], entry(m, k, k));
     }
     for (int i = 0; i < m.rows; i++)
         mpz_clear(divisor[i]);

@@ -307,7 +307,9 @@ static void check_from_both_sides(const cagd_scope *scope, const cagd_tree *stat
         }
     }
     *out = f[0];
-    out->leaves_out_poles |= f[1].leaves_out_poles, out->bounded |= f[1].bounded;
+    out->leaves_out_poles |= f[1].leaves_out_poles, out->bounded |= f[1].bounded, out->one_sided |= f[1].one_sided;
+    for (int k = 0; k < f[1].sums.count; k++)
+        cagd_note_sum(&out->sums, f[1].sums.sum[k], f[1].sums.had_terms[k]);
     cagd_weaken(out, f[1].strength);
 }
 

@@ -1,5 +1,6 @@
 #include "exact/number/parallel.h"
 
+#include "exact/number/field.h"
 #include "exact/number/region.h"
 
 #include <pthread.h>
@@ -39,9 +40,12 @@ void cagd_in_parallel(int jobs, int count, void (*work)(void *context, int k), v
     while (thread != NULL && started < threads && pthread_create(&thread[started], NULL, in_thread, &q) == 0)
         started++;
     if (started == 0) {
+        const unsigned faults = cagd_region_faults;
         cagd_region_mark mark = cagd_region_open();
         take_turns(&q);
         cagd_region_drop(mark);
+        cagd_field_close();
+        cagd_region_faults = faults;
     }
     for (int k = 0; k < started; k++)
         pthread_join(thread[k], NULL);

@@ -183,8 +183,6 @@ void cagd_poly_from_field(num_f a, num_f variable, poly *numerator, poly *denomi
     fmpz_mpoly_clear(q, cagd_field_context());
 }
 
-/* Yun: with c = gcd(p, p'), w = p/c is the product of all factors, and w divides out one
- * multiplicity after the other. */
 poly cagd_poly_primitive(poly p)
 {
     struct cagd_polynomial *r = fresh();
@@ -192,6 +190,8 @@ poly cagd_poly_primitive(poly p)
     return (poly){r};
 }
 
+/* Yun: with c = gcd(p, p'), w = p/c is the product of all factors, and w divides out one
+ * multiplicity after the other. */
 int cagd_poly_squarefree(poly p, poly factor[], int multiplicity[])
 {
     if (cagd_poly_degree(p) < 0) {

@@ -223,7 +223,8 @@ num_q cagd_from_string_q(const char *s)
     if (*s == '/' && base == 10) {
         s++;
         mpz_set_ui(mpq_denref(r), 0);
-        good &= whole > 0 && read_digits(&s, base, mpq_denref(r), LONGEST) > 0 && mpz_sgn(mpq_denref(r)) != 0;
+        int under = read_digits(&s, base, mpq_denref(r), LONGEST);
+        good &= whole > 0 && 0 < under && under < LONGEST && mpz_sgn(mpq_denref(r)) != 0;
         if (!good)
             mpz_set_ui(mpq_denref(r), 1);
         mpq_canonicalize(r);

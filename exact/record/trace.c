@@ -4,6 +4,7 @@
 #include "exact/number/recorder.h"
 #include "exact/words.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -307,8 +308,11 @@ void cagd_trace_again(void)
     if (tracing == NULL)
         return;
     size_t most = tracing->most;
+    num_q (*value_of)(const char *) = tracing->value_of;
     cagd_trace_close();
     cagd_trace_open(most);
+    if (tracing != NULL)
+        tracing->value_of = value_of;
 }
 
 static const char *finished(struct text *t)
@@ -362,9 +366,9 @@ static void put_formula(struct text *t, const char *formula)
     put_word(t, ",\"formula\":\"");
     for (const char *s = formula; *s != '\0'; s++) {
         char escaped[3] = {'\\', *s, '\0'};
-        if (*s > ' ')
+        if (isgraph((unsigned char)*s) || (unsigned char)*s > 127)
             put_word(t, *s == '"' || *s == '\\' ? escaped : escaped + 1);
-        else if (s[1] > ' ')
+        else if (s[1] != '\0' && !isspace((unsigned char)s[1]))
             put_word(t, " ");
     }
     put_word(t, "\"");

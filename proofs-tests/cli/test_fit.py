@@ -21,6 +21,9 @@ import xml.dom.minidom
 
 ROOT = pathlib.Path(sys.argv.pop(2)).resolve()
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+sys.path.insert(0, str(ROOT / "proofs-tests/scripts"))
+import builds  # noqa: E402
+ONCE = builds.once(CAGD)
 ARCH = ROOT / "chapters" / "fitting" / "arch.csv"
 
 
@@ -335,6 +338,7 @@ class Files(Case):
         self.refuses(self.dxf(light).replace(" 10\n1.0\n", " 10\nnan\n"), ["'nan' is not a number"])
         self.refuses("0\nSECTION\n2\nENTITIES\nzero\nx\n", ["line 5", "'zero' is not the code"])
 
+    @ONCE
     def test_input_without_end(self):
         endless = subprocess.Popen(["yes", "1.25,2.5"], stdout=subprocess.PIPE)
         self.addCleanup(endless.stdout.close)
@@ -757,6 +761,7 @@ class Fits(Case):
         rows = [[c + 1e12 for c in curve(i / 59)] for i in range(60)]
         self.assertTrue(self.fit(table(rows))["points_on_curve"])
 
+    @ONCE
     def test_the_degree_is_chosen(self):
         """A noisy polynomial of degree 5 in one segment: no spline of degree 2, 3 or 4 does with so few unknowns.  And a parabola."""
         r = random.Random(12)
@@ -821,6 +826,7 @@ class Fits(Case):
                     points += [tuple(map(float, q.split())) for q in re.findall(r"M(\S+ \S+?)h0", path.getAttribute("d"))]
             yield labels, points
 
+    @ONCE
     def test_labels_stand_over_nothing(self):
         """Names of control points and the line of the largest distance: over no point, no control point, no other name."""
         r = random.Random(1)
@@ -1257,6 +1263,7 @@ class Fits(Case):
             for word in "Solver", "Options", "Function tolerance", "Gradient tolerance", "Parameter tolerance", "Maximum number", "|":
                 self.assertNotIn(word, d["minimiser"]["message"])
 
+    @ONCE
     def test_an_outlier_that_holds_an_end(self):
         """The end would follow it, and so it is judged by the curve of the others, which goes on behind its end: the fit is theirs, and it is listed."""
         r = random.Random(5)
@@ -1397,6 +1404,7 @@ class Fits(Case):
                 self.assertTrue(d["converged"])
                 self.assertEqual(d["verification"]["status"], "verified")
 
+    @ONCE
     def test_a_circle_and_an_ellipse_are_told_apart_as_often_as_they_should(self):
         """Of 60 circles with noise some three are called an ellipse at 95 %, and hardly more than nine; of ellipses with axes 2 and 1.97 all are."""
         wrong = sum(not self.fit(table(self.round_points(50, 2, 2, 0.01, seed)), "--no-verify")["ellipse"]["circle"] for seed in range(60))
@@ -1484,6 +1492,7 @@ class Fits(Case):
         self.assertFalse(any(c["good"] for c in tried), tried)
         self.assertGreater(min(c["score"] for c in tried[1:] if c["score"] is not None), tried[0]["score"] + 10)
 
+    @ONCE
     def test_an_arc_that_scatters(self):
         """A third of a circle; without means 44 control points after a minute, and a flat ellipse about the points where the first one is no circle."""
         for count, sigma, seed in (501, 0.1, 3000510), (501, 0.1, 4000513), (2001, 0.1, 1002004):
@@ -1536,6 +1545,7 @@ class Fits(Case):
         self.assertEqual((d["choice"]["closed"], d["quality"]["good"]), (True, True))
         self.assertIn(len(d["curve"]["points"]) - 3, (4, 5))
 
+    @ONCE
     def test_a_tolerance_is_met(self):
         """By the fewest control points that are found; one fewer over even knots does not meet it."""
         rows = [[x, math.sin(x)] for x in (6 * i / 99 for i in range(100))]
@@ -1552,6 +1562,7 @@ class Fits(Case):
         self.assertEqual(counts, sorted(counts))
         self.assertLess(counts[-1], 16)
 
+    @ONCE
     def test_smoothing(self):
         """By cross-validation near the truth with far too many control points; a heavy weight leaves a line, a light one nothing."""
         r = random.Random(4)
@@ -1604,6 +1615,7 @@ class Fits(Case):
             options = ["--monotone", "--closed", "--degree", "3", "--control-points", "4", "--no-verify"]
             self.assertTrue(self.fit(table(cloud), *options, code=None)["quality"]["problems"])
 
+    @ONCE
     def test_many_control_points_converge(self):
         """Splines with more control points than the points determine come to a minimum by default, and how is said."""
         r = random.Random(8)
@@ -1688,6 +1700,7 @@ class Fits(Case):
         corner = [[k / 50, abs(k / 50 - 1) + r.gauss(0, 1e-4)] for k in range(101)]  # what a curve misses has neighbours
         self.assertNotIn("Far off", self.text(corner, "--no-verify", "--control-points", "9"))
 
+    @ONCE
     def test_points_far_off_on_a_spline(self):
         """A robust loss alone asks for a conic; the one with a spline is tried, too.  Neighbours that jump together and back are named."""
         r = random.Random(9)
@@ -1700,6 +1713,7 @@ class Fits(Case):
         arc = [[100 * t, 120 * t * (1 - t) + r.gauss(0, 0.05) + (2 if k in (60, 61, 62) else 0)] for k, t in ((k, k / 149) for k in range(150))]
         self.assertRegex(self.text(arc, "--no-verify"), r"Far off +point 61 \(line 61\), point 62 \(line 62\), point 63 \(line 63\): farther")
 
+    @ONCE
     def test_what_cures_a_fit_was_tried(self):
         """Every option that is named does what is said of it when it is put behind the others; what has not cured is not said to cure."""
         r = random.Random(5)

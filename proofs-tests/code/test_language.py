@@ -219,6 +219,9 @@ class Language(unittest.TestCase):
         """The computed value is the binary64 that Python computes by the same operations."""
         for program, answer in self.lines("rounding", "rounding.c"):
             with self.subTest(program[2]):
+                if program[0] == "!":
+                    self.refused(program, answer)
+                    continue
                 computed = re.search(r" computed (\S+)", answer)[1]
                 self.assertEqual(float(computed), float(eval(program[1], dict(NAMES))), answer)
 
@@ -227,6 +230,9 @@ class Language(unittest.TestCase):
         for numbers in ["enclose", "interval"]:
             for program, answer in self.lines(numbers, "enclosed.c"):
                 with self.subTest(program[2]):
+                    if program[0] == "!":
+                        self.refused(program, answer)
+                        continue
                     low, high = map(float, re.search(r"in \[(.*), (.*)\]", answer).groups())
                     value = eval(program[1], dict(NAMES))
                     self.assertLessEqual(abs(low - value), 1e-14 * abs(value), answer)

@@ -39,3 +39,8 @@ double e_atan2(void) { return atan2(2, 3); }
 double e_negative(void) { double x = -sqrt(2); return x * sqrt(3) / sqrt(5); }
 /* = math.sqrt(2) + 7 */
 double e_whole_part_of_an_enclosure(void) { return sqrt(2) + floor(sqrt(55)); }
+static double third(int n) { double e = 1.0 / 3; while (n-- > 0) e /= 2; return e; }
+/* ! an enclosure does not decide a comparison */
+double e_acos_next_to_1(void) { double e = third(190), a = acos(1 - e), r = a * a / (2 * e), near = ldexp(1, -132); return r > 1 + near || r < 1 - near; }
+/* ! an enclosure does not decide a comparison */
+double e_asin_next_to_1(void) { double e = third(310), a = 2 * asin(1) - 2 * asin(1 - e); return a * a / (8 * e) < 0.9995; }

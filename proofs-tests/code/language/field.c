@@ -66,3 +66,9 @@ double f_zero_function(void) { double x = input_x(); return 1 / (x * x - x * x);
 double f_exponent(void) { return pow(2, input_x()); }
 /* ! exp of a number */
 double f_exp(void) { return exp(input_x()); }
+/* ~ 1 | x > 0 */
+double f_sign_beside_an_infinity(void) { return input_x() * INFINITY > 0; }
+/* ~ -1 | y < 0 */
+double f_sign_below_an_infinity(void) { return INFINITY / input_y() < 0 ? -1 : 1; }
+/* ~ x */
+double f_sign_that_does_not_matter_needs_no_condition(void) { double x = input_x(); return x + INFINITY > 0 && isnan(x * NAN) && isnan(x / NAN) ? x : 0; }

@@ -143,3 +143,9 @@ double l_conj(void) { double _Complex z = __builtin_complex(1.0 / 3, 1.0 / 5); z
 double l_posix_memalign(void) { void *p = NULL; int bad = posix_memalign(&p, 3, 8), good = posix_memalign(&p, 64, 8); double r = (bad != 0) + 2 * (good == 0) + 4 * ((unsigned long)p % 64 == 0); free(p); return r; }
 /* = 1 */
 double l_prints(void) { printf("%d numbers, the first %g, at %p\n", 2, 1.0 / 3, NULL); fprintf(stderr, "%g\n", 0.5); return 1; }
+/* = F(20, 3) + F(-1, 7) */
+double l_rest_of_what_an_infinity_divides(void) { return fmod(20.0 / 3, INFINITY) + remainder(-1.0 / 7, -INFINITY); }
+/* = 1 */
+double l_modf_of_an_infinity(void) { double w, f = modf(-INFINITY, &w); return f + (w < 0 && isinf(w)); }
+/* = 11 */
+double l_fdim_of_no_number(void) { return (isnan(fdim(NAN, 1.0 / 3)) != 0) + 10 * (isnan(fdim(1.0 / 3, NAN)) != 0); }

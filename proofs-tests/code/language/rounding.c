@@ -33,3 +33,15 @@ double n_negative(void) { double x = 0.1; return -(x + 0.2); }
 double n_whole(void) { return ceil(10.0 / 3) + round(5.0 / 2) + floor(10.0 / 3); }
 /* # 2.0 + 3.0 */
 double n_even_and_cut(void) { return rint(5.0 / 2) + trunc(10.0 / 3); }
+/* # math.log2(1/49*49) */
+double n_logarithm_of_what_should_be_1(void) { double x = 1.0 / 49 * 49; return log2(x); }
+/* # math.log(1/49*49) */
+double n_natural_logarithm_of_what_should_be_1(void) { double x = 1.0 / 49 * 49; return log(x); }
+/* # 2.0 ** (1/49*49) */
+double n_power_of_what_should_be_1(void) { double x = 1.0 / 49 * 49; return exp2(x); }
+/* # math.cbrt(math.prod([1/49*49] * 8)) */
+double n_cube_root_of_what_should_be_1(void) { double x = 1.0 / 49 * 49, p = 1; for (int k = 0; k < 8; k++) p *= x; return cbrt(p); }
+/* ! pow with an exponent that was rounded */
+double n_rounded_exponent(void) { double x = 1.0 / 49 * 49; return pow(3, x); }
+/* # math.pow(1/49*49, 3) */
+double n_power_of_a_rounded_one(void) { double x = 1.0 / 49 * 49; return pow(x, 3); }
