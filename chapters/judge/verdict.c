@@ -32,7 +32,8 @@ static int has_part(const char *all, const char *part)
 {
     size_t length = strlen(part);
     for (const char *at = all; at != NULL && (at = strstr(at, part)) != NULL; at++)
-        if ((at == all || (at >= all + 2 && strncmp(at - 2, "; ", 2) == 0)) && (at[length] == '\0' || at[length] == ';'))
+        if ((at == all || (at >= all + 2 && strncmp(at - 2, "; ", 2) == 0)) &&
+            (at[length] == '\0' || at[length] == ';'))
             return 1;
     return 0;
 }

@@ -4,8 +4,8 @@
 
 #include <fenv.h>
 #include <math.h>
-#include <stdlib.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct complex_pair {

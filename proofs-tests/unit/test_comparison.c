@@ -62,6 +62,8 @@ static void binary64_differs_by_its_bounds(void **state)
     done(&T);
     same_m(&T, exact_m(NAN), exact_m(1));
     assert_int_equal(T.outcome, FAILS);
+    same_m(&T, a, exact_m(1)); /* which no smaller error makes forgotten */
+    assert_true(isnan(T.worst));
     done(&T);
 }
 

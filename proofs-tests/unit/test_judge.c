@@ -998,6 +998,10 @@ static const claim
     plain = {.name = "plain", .scope = "", .over = "x#: points; w#: weights; beta", .letter = "k"},
     odd = {.name = "odd", .scope = "simple knots", .letter = "m", .all_degrees = 1, .degree_low = 2},
     stretched = {.name = "stretched", .scope = "", .argued_for = "every n", .argued = "by induction"},
+    stretched_later = {.name = "stretched later",
+                       .scope = "",
+                       .argued_for = "every n from 7 on",
+                       .argued = "by symmetry"},
     worded = {.name = "worded", .scope = "", .argued_for = "", .argued = "by continuity"},
     said = {.name = "said", .scope = "0 < t < 1", .over = "x#: points; w: -"}, high = {.name = "high", .scope = ""},
     instances = {.name = "instances", .scope = ""},
@@ -1072,6 +1076,7 @@ static const claim_result scoped[] = {
      .evidence = DECIDED,
      .computed = DECIDED,
      .by = {[RATIONAL_TYPE] = {.ran = 1}}},
+    RUN_IN_FIELD(stretched_later, 1, 4, no_names, no_names),
     {.claim = &instances,
      .as_expected = 1,
      .evidence = SAMPLED,
@@ -1393,6 +1398,27 @@ static void test_the_finding_of_a_reading(void **state)
     statement_result r = derive(&s, scoped, count); /* a claim that is missing */
     assert_false(r.as_expected);
     free_statement_result(&r);
+    for (int degree = 6; degree <= 7; degree++) { /* the claim has 6, and not 7 */
+        const statement_link way[] = {
+            {READING, "weighted", NULL, "one way", NULL}, BY("last"), {HOLDS_BY, NULL, NULL, NULL, NULL}};
+        const statement of_one = {.id = "source:5", .letter = "n", .degree = degree, .links = way};
+        r = derive(&of_one, scoped, count);
+        assert_int_equal(r.as_expected, degree == 6);
+        free_statement_result(&r);
+    }
+}
+
+/* "every n" is not among the cases because "every n from 7 on" is; said twice it is told once. */
+static void test_cases_in_words_are_added_up(void **state)
+{
+    (void)state;
+    const statement s = {.id = "source:1",
+                         .letter = "n",
+                         .links =
+                             LINKS(BY("stretched later"), BY("stretched"), BY("stretched later"), BY("stretched"))};
+    statement_result r = derive(&s, scoped, sizeof scoped / sizeof *scoped);
+    assert_string_equal(r.as_printed.argued_for, "every n from 7 on; every n");
+    free_statement_result(&r);
 }
 
 static void test_claims_without_a_common_case(void **state)
@@ -1520,6 +1546,7 @@ int main(void)
         unit(test_the_only_degree_of_a_statement),
         unit(test_the_finding_of_one_claim),
         unit(test_the_finding_of_a_reading),
+        unit(test_cases_in_words_are_added_up),
         unit(test_claims_without_a_common_case),
         unit(test_arguments),
         unit(test_a_claim_that_needs_words_is_argued),

@@ -415,15 +415,18 @@ static void texts_are_read_exactly(void **state)
         snprintf(text, sizeof text, "%a", x);
         assert_true(cagd_equal_q(from_string_q(text), from_double_q(x)));
     }
-    static char digits[100002];
-    memset(digits, '7', sizeof digits - 1);
-    for (int length = 100001; length >= 99999; length--) { /* 99999 are read, and no more */
+    static char below[100004] = "1/";
+    char *const digits = below + 2;
+    memset(digits, '7', 100001);
+    for (int length = 100001; length >= 99999; length--) { /* 99999 are read, and no more, also as a denominator */
         digits[length] = '\0';
-        num_q a = from_string_q(digits);
-        if (length > 99999)
-            expect_fault(FAULT_UNDEFINED);
-        else
-            assert_int_equal(strlen(to_string_q(a)), length);
+        for (int k = 0; k < 2; k++) {
+            num_q a = from_string_q(k == 0 ? digits : below);
+            if (length > 99999)
+                expect_fault(FAULT_UNDEFINED);
+            else
+                assert_int_equal(strlen(to_string_q(a)), length + 2 * k);
+        }
     }
     num_q repeated = div_q(mul_q(from_int_q(7), sub_q(from_string_q("1e99999"), from_int_q(1))), from_int_q(9));
     assert_true(cagd_equal_q(from_string_q(digits), repeated));
