@@ -21,6 +21,9 @@ import xml.etree.ElementTree
 
 HERE = pathlib.Path(__file__).resolve().parent
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
+sys.path.insert(0, str(HERE.parent / "scripts"))
+import builds  # noqa: E402
+ONCE = builds.once(CAGD)
 LET = "B_i^n(t) = \\binom{n}{i} t^i (1-t)^{n-i}\nF(t) = t^2\nx, y, u, v, \\omega_i, x_i \\in \\mathbb{R}\n"
 
 
@@ -306,6 +309,7 @@ class Literature(unittest.TestCase):
             self.assertEqual(s["verdict"], expected, printed)
             self.assertEqual("for_every_real" in s, expected == "holds", printed)
 
+    @ONCE
     def test_sums_to_multiples_of_n(self):
         """Dixon's sum; terms that vanish at the ends; k that begins with n; a divisor that is 0 far behind the first cases."""
         for printed, ranges, expected in (
@@ -1458,6 +1462,7 @@ class Certificates(unittest.TestCase):
         r = subprocess.run([sys.executable, HERE.parent / "recheck.py", folder], capture_output=True, text=True, timeout=300)
         return r.returncode, r.stdout
 
+    @ONCE
     def test_the_literature(self):
         with tempfile.TemporaryDirectory() as folder:
             r = subprocess.run([CAGD, "check", "--json", "--certificates", folder, HERE / "literature.md"], capture_output=True, text=True, timeout=900)
@@ -1541,6 +1546,7 @@ class Certificates(unittest.TestCase):
                 steps = json.loads(claim.read_text())["cases"][0]["steps"]
                 self.assertEqual(sum("agree" in x or "same" in x for x in steps), compared)
 
+    @ONCE
     def test_inequalities_with_one_fault(self):
         """A statement, and a change of its first fact after which it is not true, or not shown."""
         def number(field, place, value):
@@ -1581,6 +1587,7 @@ class Certificates(unittest.TestCase):
             self.assertEqual(code, 0, out)
             self.assertIn(f"{len(found)} of {len(found)} conditions about facts evaluated", out)
 
+    @ONCE
     def test_values_of_a_parameter_with_one_fault(self):
         def put(field, place, value):
             return lambda f, nodes: f[field].__setitem__(place, value)
@@ -1607,6 +1614,7 @@ class Certificates(unittest.TestCase):
                         (5, lambda f, nodes: f.update(between=f["between"][2:] + f["between"][:2])), (6, drop), (6, put("relation", 1, 3)), (6, lambda f, nodes: f.update(parameter=[f["other"][0]]))]
             self.refuse_all(pathlib.Path(folder), 0, changes)
 
+    @ONCE
     def test_values_of_a_parameter_that_are_drawn(self):
         """Two decompositions that share nothing: all that one finds, ends that are roots included, the other finds as well."""
         random = __import__("random").Random(31)
@@ -1670,6 +1678,7 @@ class Certificates(unittest.TestCase):
                     self.assertIn("every n", s["scope"])
                     self.assertTrue(all("telescoper" in link for link in s.get("links", [s])))
 
+    @ONCE
     def test_sums_for_every_number(self):
         statements = (("\\sum_{i=0}^n \\frac{i}{n} B_i^n(t) = t", "n = 1.."), ("\\sum_{i=0}^n \\binom{n}{i}^2 = \\binom{2n}{n}", "n = 0.."),
                       ("\\sum_{i=0}^n i (i-1) B_i^n(t) = n (n-1) t^2", "n = 0.."), ("\\sum_{i=0}^n \\binom{n+i}{i} 2^{-i} = 2^n", "n = 0.."),
@@ -1799,6 +1808,7 @@ class Cells(unittest.TestCase):
             else:
                 yield f"\\max({a}, {b}) - \\min({a}, {b}) = |{a} - {b}|", lambda v, f=f, g=g: abs(f(v) - g(v)) == abs(f(v) - g(v))
 
+    @ONCE
     def test_what_holds_holds_for_all_small_numbers_and_what_fails_fails(self):
         conditions = (("", lambda v: True), ("x \\le y", lambda v: v["x"] <= v["y"]), ("x < y, y \\le u", lambda v: v["x"] < v["y"] <= v["u"]),
                       ("x + y = u", lambda v: v["x"] + v["y"] == v["u"]))
@@ -2139,6 +2149,7 @@ class AsPapersHaveIt(unittest.TestCase):
             self.assertEqual(verdict(printed, "n = 1", let)["verdict"], expected, printed)
         self.assertIn("a power, or the function", check(document("x = x", "n = 1", let + "\nc_0^2(t) = (1-t) c_0^1 + t c_1^1")).stderr)
 
+    @ONCE
     def test_bounds_by_neighbours_reach_those_with_values(self):
         """What is said of every index is said of those with values, and of those between that the formula does not have; each relation of a chain, and every one of several conditions."""
         let = "c_i \\le c_{i+1}\nd_i < d_{i+1}\nh_i = d_{i+1} - d_i\n0 \\le e_i \\le e_{i+1}\n1 \\le q_i \\le q_{i+1} \\le 2\nf_i < g_i < f_{i+1}"
