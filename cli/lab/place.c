@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { MOST_WORDS = 128, MOST_SAID = 1 << 23, MOST_FILE = 1 << 25, MOST_OPEN = 64 };
+enum { MOST_WORDS = 128, LEAST_SAID = 1 << 12, MOST_SAID = 1 << 23, MOST_FILE = 1 << 25, MOST_OPEN = 64 };
 enum { LEAST_WAIT = 20, WAIT_PER_SECOND = 8 };
 #ifdef __SANITIZE_ADDRESS__
 static const rlim_t MOST_ADDRESSES = RLIM_INFINITY; /* the programs that run here take terabytes, too */
@@ -208,10 +208,34 @@ pid_t lab_start(const struct lab_place *p, char *const word[], int *to, int *fro
     return child;
 }
 
-/* What comes from the descriptor, until it ends or the time is over: then 0. */
-static int hear(int from, char *text, size_t *size, int seconds)
+/* What was said, as a text: there is room for one byte more than its size. */
+struct said {
+    char *text;
+    size_t size, room;
+    int is_cut; /* there was no memory for more */
+};
+
+/* Some bytes more, of which those beyond MOST_SAID are dropped.  0 at the end, or where there is no memory. */
+static int hear_more(int from, struct said *s)
 {
     char drop[4096];
+    if (s->size == s->room && s->room < MOST_SAID) {
+        size_t room = 2 * s->room < MOST_SAID ? 2 * s->room : MOST_SAID;
+        char *longer = realloc(s->text, room + 1);
+        s->is_cut = longer == NULL;
+        if (s->is_cut)
+            return 0;
+        s->text = longer, s->room = room;
+    }
+    int is_full = s->size == s->room;
+    ssize_t got = is_full ? read(from, drop, sizeof drop) : read(from, s->text + s->size, s->room - s->size);
+    s->size += got > 0 && !is_full ? (size_t)got : 0;
+    return got > 0;
+}
+
+/* What comes from the descriptor, until it ends or the time is over: then 0. */
+static int hear(int from, struct said *s, int seconds)
+{
     double end = cagd_seconds() + LEAST_WAIT + WAIT_PER_SECOND * seconds;
     for (;;) {
         struct pollfd one = {from, POLLIN, 0};
@@ -221,30 +245,32 @@ static int hear(int from, char *text, size_t *size, int seconds)
             continue;
         if (ready <= 0)
             return 0;
-        ssize_t got = *size < MOST_SAID ? read(from, text + *size, MOST_SAID - *size) : read(from, drop, sizeof drop);
-        if (got <= 0)
+        if (!hear_more(from, s))
             return 1;
-        *size += *size < MOST_SAID ? (size_t)got : 0;
     }
 }
 
 static int run(const struct lab_place *p, char *const word[], int seconds, rlim_t addresses, char **said, int *whole)
 {
     int out[2], null = open("/dev/null", O_RDWR | O_CLOEXEC), status = -1;
-    char *text = calloc(1, MOST_SAID + 1);
-    size_t size = 0;
-    *said = text;
-    if (text == NULL || null < 0 || pipe2(out, O_CLOEXEC) != 0)
+    struct said s = {.text = malloc(LEAST_SAID + 1), .room = LEAST_SAID};
+    *said = s.text;
+    if (s.text == NULL)
+        return -1;
+    s.text[0] = 0;
+    if (null < 0 || pipe2(out, O_CLOEXEC) != 0)
         return -1;
     pid_t child = start(p, word, null, out[1], -1, seconds, addresses);
     close(out[1]), close(null);
-    if (child > 0 && !hear(out[0], text, &size, seconds))
+    if (child > 0 && !hear(out[0], &s, seconds))
         kill(-child, SIGKILL), kill(child, SIGKILL);
-    *whole = size < MOST_SAID;
+    *whole = s.size < MOST_SAID && !s.is_cut;
     close(out[0]);
-    for (size_t k = 0; k < size; k++) /* a text, whatever it was */
-        if (text[k] == 0)
-            text[k] = '?';
+    for (size_t k = 0; k < s.size; k++) /* a text, whatever it was */
+        if (s.text[k] == 0)
+            s.text[k] = '?';
+    s.text[s.size] = 0;
+    *said = s.text;
     while (child > 0 && waitpid(child, &status, 0) < 0)
         if (errno != EINTR)
             return -1;

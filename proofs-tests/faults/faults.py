@@ -14,7 +14,7 @@ kind and the line before and after: whether it is chosen does not depend on what
 divisible by N, with --seed another choice of as many for each word; --per-function N takes from each function N of them, of kinds as different as possible.  --slow tries the tests that take long as well.  equivalent.txt lists the faults that no test can notice, each with
 its reason; they are left out, and with --equivalent they alone are tried.  --again tries those that survived in the output of
 a former run.  --given tries those that somebody wrote down, each a line `file:number | the line as it stands | the line as changed | what it is`,
-those of the room; the tree is built for each of them.  For the kernels, --chapters builds only these
+those of the room; what a test needs is built for each of them before it.  For the kernels, --chapters builds only these
 chapters, with those whose claims they name, for faults in the kernels that they define, and --types only these number types.
 """
 import argparse
@@ -296,7 +296,7 @@ class Copy:
                   "-DCAGD_TYPES=" + ";".join(a.types), *configured, *room.configured)
         self.verified = isinstance(room, Kernels)
         self.targets = sorted({words[0].split("/")[-1] for words in self.tests.values() if words[0] != sys.executable} | set(room.targets))
-        self.usual = {}
+        self.usual, self.as_needed = {}, False
 
     def must(self, *command):
         r = subprocess.run(command, cwd=self.root, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -335,7 +335,7 @@ class Copy:
         return batch
 
     def write_given(self, fault):
-        """The tree with this fault alone; whether it is C."""
+        """The tree with this fault alone; whether it is C.  Of what the tests need the rest is built when their turn comes."""
         for file, text in self.original.items():
             lines = text.decode().split("\n")
             if file == fault["file"]:
@@ -343,8 +343,16 @@ class Copy:
             planted = "\n".join(lines).encode()
             if (self.root / file).read_bytes() != planted:
                 (self.root / file).write_bytes(planted)
-        r = subprocess.run(["cmake", "--build", "build", "-j", str(self.jobs), "--target", *self.targets], cwd=self.root, capture_output=True)
-        return r.returncode == 0
+        self.as_needed = True
+        first = [test for test in self.room.first(fault["file"]) if test in self.tests] or list(self.tests)
+        return self.is_built("cagd" if self.verified else self.target_of(first[0]))
+
+    def target_of(self, test):
+        command = str(self.tests[test][0])
+        return self.room.targets[0] if command in (sys.executable, "./cagd") else command.split("/")[-1]
+
+    def is_built(self, *targets):
+        return subprocess.run(["cmake", "--build", "build", "-j", str(self.jobs), "--target", *targets], cwd=self.root, capture_output=True).returncode == 0
 
     def fails(self, command, number, limit):
         with tempfile.TemporaryDirectory() as folder:
@@ -378,6 +386,8 @@ class Copy:
                 return "other claims"
         first = [test for test in self.room.first(fault["file"]) if test in self.tests]
         for test in first + [test for test in self.tests if test not in first]:
+            if self.as_needed and not self.is_built(self.target_of(test), *(self.room.targets if self.tests[test][0] == sys.executable else [])):
+                raise SystemExit(f"{test} is not built")
             if self.fails(self.tests[test], fault["number"], 10 * self.usual[test] + 5):
                 return test
         return None
