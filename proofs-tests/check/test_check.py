@@ -157,6 +157,7 @@ class Opponents(unittest.TestCase):
         self.assertNotIn("wherever", r.stdout)
 
 
+@ONCE
 class EveryChoice(unittest.TestCase):
     """Equalities for every n and k: each true one is proved, each with a fault refuted; and what was rewritten is so for numbers."""
 
@@ -1455,6 +1456,7 @@ g_{i,n} = i
         self.assertNotEqual(sum(1 / (x[f"x_{i}"] - x[f"x_{i + 1}"]) for i in range(6)), 0)
 
 
+@ONCE
 class Certificates(unittest.TestCase):
     """What was found is rechecked by a program that shares nothing with this one, and what was tampered with is not."""
 
@@ -1462,7 +1464,6 @@ class Certificates(unittest.TestCase):
         r = subprocess.run([sys.executable, HERE.parent / "recheck.py", folder], capture_output=True, text=True, timeout=300)
         return r.returncode, r.stdout
 
-    @ONCE
     def test_the_literature(self):
         with tempfile.TemporaryDirectory() as folder:
             r = subprocess.run([CAGD, "check", "--json", "--certificates", folder, HERE / "literature.md"], capture_output=True, text=True, timeout=900)
@@ -1546,7 +1547,6 @@ class Certificates(unittest.TestCase):
                 steps = json.loads(claim.read_text())["cases"][0]["steps"]
                 self.assertEqual(sum("agree" in x or "same" in x for x in steps), compared)
 
-    @ONCE
     def test_inequalities_with_one_fault(self):
         """A statement, and a change of its first fact after which it is not true, or not shown."""
         def number(field, place, value):
@@ -1587,7 +1587,6 @@ class Certificates(unittest.TestCase):
             self.assertEqual(code, 0, out)
             self.assertIn(f"{len(found)} of {len(found)} conditions about facts evaluated", out)
 
-    @ONCE
     def test_values_of_a_parameter_with_one_fault(self):
         def put(field, place, value):
             return lambda f, nodes: f[field].__setitem__(place, value)
@@ -1614,7 +1613,6 @@ class Certificates(unittest.TestCase):
                         (5, lambda f, nodes: f.update(between=f["between"][2:] + f["between"][:2])), (6, drop), (6, put("relation", 1, 3)), (6, lambda f, nodes: f.update(parameter=[f["other"][0]]))]
             self.refuse_all(pathlib.Path(folder), 0, changes)
 
-    @ONCE
     def test_values_of_a_parameter_that_are_drawn(self):
         """Two decompositions that share nothing: all that one finds, ends that are roots included, the other finds as well."""
         random = __import__("random").Random(31)
@@ -1678,7 +1676,6 @@ class Certificates(unittest.TestCase):
                     self.assertIn("every n", s["scope"])
                     self.assertTrue(all("telescoper" in link for link in s.get("links", [s])))
 
-    @ONCE
     def test_sums_for_every_number(self):
         statements = (("\\sum_{i=0}^n \\frac{i}{n} B_i^n(t) = t", "n = 1.."), ("\\sum_{i=0}^n \\binom{n}{i}^2 = \\binom{2n}{n}", "n = 0.."),
                       ("\\sum_{i=0}^n i (i-1) B_i^n(t) = n (n-1) t^2", "n = 0.."), ("\\sum_{i=0}^n \\binom{n+i}{i} 2^{-i} = 2^n", "n = 0.."),
@@ -1757,6 +1754,7 @@ class Undefined(Exception):
     """A division of what is not 0 by 0."""
 
 
+@ONCE
 class Cells(unittest.TestCase):
     """Formulas whose cases depend on the order of names: against all small numbers, one after another, by a reader of its own."""
 
@@ -1808,7 +1806,6 @@ class Cells(unittest.TestCase):
             else:
                 yield f"\\max({a}, {b}) - \\min({a}, {b}) = |{a} - {b}|", lambda v, f=f, g=g: abs(f(v) - g(v)) == abs(f(v) - g(v))
 
-    @ONCE
     def test_what_holds_holds_for_all_small_numbers_and_what_fails_fails(self):
         conditions = (("", lambda v: True), ("x \\le y", lambda v: v["x"] <= v["y"]), ("x < y, y \\le u", lambda v: v["x"] < v["y"] <= v["u"]),
                       ("x + y = u", lambda v: v["x"] + v["y"] == v["u"]))
