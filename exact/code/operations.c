@@ -196,7 +196,7 @@ cagd_code_value cagd_code_quotient(cagd_code_value a, cagd_code_value b)
 {
     static const struct arithmetic o = {cagd_div_q, cagd_div_i, cagd_div_f};
     if (a.special || b.special) {
-        double x = in_product(a, b), y = in_product(b, a);
+        double x = in_product(a, b), y = b.special ? b.d : (double)cagd_code_sign(b);
         if (!b.special && y == 0)
             cagd_code_stop(CAGD_CODE_UNDEFINED, "a division by zero");
         return cagd_code_special(x / y);
