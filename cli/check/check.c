@@ -55,6 +55,8 @@ static char *text_of_failure(const json_t *entry)
     else if (json_is_string(json_object_get(example, "left")))
         fprintf(out, "; left = %s; right = %s", json_string_value(json_object_get(example, "left")),
                 json_string_value(json_object_get(example, "right")));
+    else if (json_is_object(example)) /* no two sides: "there is", "for all" */
+        fprintf(out, "%sit is false", json_array_size(json_object_get(example, "values")) > 0 ? "; " : "");
     text_close(out, &text);
     return text;
 }

@@ -121,16 +121,17 @@ static cagd_num_i enclosed_at(cagd_num_q q, function *f, const char *name, enum 
     return both;
 }
 
-/* In a run with rounding: v is what f makes of a, the binary64 that of its plain form, the error that of a times the slope. */
-static void make_plainly(value *v, value a, double (*plain)(double), const char *name)
+/* v, what a function makes of a; in a run with rounding with the binary64 of its plain form, and the error of a times its slope. */
+static value with_error_of(value a, value v, double (*plain)(double), const char *name)
 {
     if (!rounding())
-        return;
+        return v;
     double h = a.d != 0 ? fabs(a.d) * 0x1p-26 : 0x1p-26, slope = (plain(a.d + h) - plain(a.d - h)) / (2 * h);
     if (a.shares > 0 && !isfinite(slope))
         cagd_code_stop(CAGD_CODE_REFUSED, "the error of %s where it has no slope", name);
-    v->d = plain(a.d);
-    cagd_code_shared(v, a, slope, (value){.d = 0}, 0, 0);
+    v.d = plain(a.d);
+    cagd_code_shared(&v, a, slope, (value){.d = 0}, 0, 0);
+    return v;
 }
 
 static value enclosed(value a, function *f, double (*plain)(double), const char *name, enum shape shape)
@@ -154,22 +155,14 @@ static value enclosed(value a, function *f, double (*plain)(double), const char 
             v.i =
                 cagd_hull_i(cagd_sub_i(v.i, cagd_from_rational_i(width)), cagd_add_i(v.i, cagd_from_rational_i(width)));
     }
-    make_plainly(&v, a, plain, name);
-    return v;
-}
-
-/* f(a) = v, exactly. */
-static value known(value v, value a, double (*plain)(double), const char *name)
-{
-    make_plainly(&v, a, plain, name);
-    return v;
+    return with_error_of(a, v, plain, name);
 }
 
 #define ENCLOSED(name, exact_at, exactly, shape)                                                                       \
     double cagd_code_lib_##name(double x)                                                                              \
     {                                                                                                                  \
         value a = of(x);                                                                                               \
-        return number(is_just(a, exact_at) ? known(cagd_code_integer(exactly), a, name, #name)                         \
+        return number(is_just(a, exact_at) ? with_error_of(a, cagd_code_integer(exactly), name, #name)                 \
                                            : enclosed(a, mpfr_##name, name, #name, shape));                            \
     }
 ENCLOSED(exp, 0, 1, MONOTONE)
@@ -189,7 +182,7 @@ double cagd_code_lib_exp2(double x)
 {
     value a = of(x);
     if (!a.special && a.f.at == NULL && a.q.at != NULL && cagd_is_whole_q(a.q) && fabs(cagd_to_double_q(a.q)) < 1e6)
-        return number(known(of(cagd_code_power(2, (int32_t)cagd_to_double_q(a.q))), a, exp2, "exp2"));
+        return number(with_error_of(a, of(cagd_code_power(2, (int32_t)cagd_to_double_q(a.q))), exp2, "exp2"));
     return number(enclosed(a, mpfr_exp2, exp2, "exp2", MONOTONE));
 }
 
@@ -202,7 +195,7 @@ static double whole_logarithm(double x, long base, function *f, double (*plain)(
         if (labs(n) < 100000) {
             value power = of(cagd_code_power((double)base, (int32_t)n));
             if (power.q.at != NULL && cagd_equal_q(power.q, a.q))
-                return number(known(cagd_code_integer(n), a, plain, name));
+                return number(with_error_of(a, cagd_code_integer(n), plain, name));
         }
     }
     return number(enclosed(a, f, plain, name, MONOTONE));
@@ -292,7 +285,7 @@ double cagd_code_lib_cbrt(double x)
         cagd_region_faults &= ~(unsigned)CAGD_FAULT_UNABLE;
         return number(enclosed(a, mpfr_cbrt, cbrt, "cbrt", MONOTONE));
     }
-    return number(known(cagd_code_constant(negative ? cagd_neg_q(root) : root), a, cbrt, "cbrt"));
+    return number(with_error_of(a, cagd_code_constant(negative ? cagd_neg_q(root) : root), cbrt, "cbrt"));
 }
 
 double cagd_code_lib_pow(double x, double y)

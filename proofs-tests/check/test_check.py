@@ -2381,6 +2381,14 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(check(document("x = 2 x").replace(":for:", ":expected: fails\n:for:")).returncode, 0)
         self.assertEqual(check(document("x = x").replace(":for:", ":expected: fails\n:for:")).returncode, 1)
 
+    def test_junit_says_what_is_false_where_there_are_no_two_sides(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "found.xml"
+            for printed, said in (("\\exists k = 1..3, k > 5", "it is false"), ("\\exists k = 1..3 : k > n + 5", "n = 1; it is false"),
+                                  ("\\forall k = 1..3, k < n", "n = 1; k = 1; left = 1; right = 1")):
+                check(document(printed), "--junit", str(path))
+                self.assertEqual(xml.etree.ElementTree.parse(path).find(".//failure").text, said)
+
     def test_a_page(self):
         page = check(document("\\sum_{i=0}^n B_i^n(t) = 1")).stdout
         self.assertIn("∑ᵢ₌₀ⁿ Bᵢⁿ(t) = 1", page)

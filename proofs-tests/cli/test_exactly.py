@@ -607,6 +607,11 @@ void curve(const double *u, const double *P, const double *w, double t, double *
         v = self.verdict(block, code, "code.c", "--rounding=20")
         self.assertEqual((v["verdict"], [w["name"] for w in v["rounding"]["worst"]]), ("proved", ["s"]))
 
+    def test_rounding_where_nothing_is_put_in(self):
+        code = "double f(void) { double x = 0.1; return x + 1.0 / 3; }"
+        v = self.verdict(":::{exactly} it\n:source: code.c\n:declare: double f(void);\n:call: double s = f();\n:output: s\n:::\n", code, "code.c", "--rounding=20")
+        self.assertEqual([w["name"] for w in v["rounding"]["worst"]], ["s"])
+
     def test_certificates(self):
         page = self.harness(self.BLOCK % (":input: u[7] increasing; c[4]; t in [u[2], u[4])\n:call: double R = deboor(3, 2, u, c, t);\n:output: R\n"
                                           ":use: bspline N_{i,p}(t) over u_i\n:printed: R = \\sum_{i=0}^3 N_{i,2}(t) c_i"), self.CURVES)
