@@ -204,6 +204,11 @@ static const statement few_statements[] = {
      .links = LINKS({READING, "square_is_product", "because it is so", "one way", NULL},
                     {READING, "square_is_product", NULL, "another way", NULL})},
     {.id = NULL}};
+/* Corrected by what words argue for, where nothing refutes what is printed. */
+static const statement corrected_statements[] = {
+    {STATEMENT("1", "book", 1, "", "x = 3", "", ""),
+     .links = LINKS({CORRECTED_BY, "square_is_product", NULL, "", NULL}, {ARGUED, NULL, "", "because it is so", NULL})},
+    {.id = NULL}};
 /* What does not go into one line of a narrow terminal; outcomes of every kind; ranks with gaps, one of a statement that holds; the two ways to
  * refer to a source, and what is none; readings that nobody decided. */
 static void is_not_i(trial *T)
@@ -272,6 +277,7 @@ static const cagd_register good = {good_claims, good_statements, chapters, figur
                            bad = {claims, bad_statements, chapters, figures, sources, NULL, NULL, NULL},
                            lost = {good_claims, lost_statements, chapters, figures, sources, NULL, NULL, NULL},
                            few = {few_claims, few_statements, chapters, figures, sources, NULL, NULL, NULL},
+                           corrected = {few_claims, corrected_statements, chapters, figures, sources, NULL, NULL, NULL},
                            told = {told_claims, told_statements, chapters, figures, sources, NULL, NULL, NULL};
 
 /* main.c has the list of the commands; here there is no other. */
@@ -692,6 +698,13 @@ static void all_pages(const cagd_register *reg, const char *expected)
 }
 
 /* The pages of all statements, of all claims and of a table, as they are laid out. */
+/* What weakens a correction is told. */
+static void words_for_a_correction_are_told(void **state)
+{
+    (void)state;
+    SAYS(EXIT_AS_EXPECTED, show, &corrected, "show-corrected.txt", "book:1");
+}
+
 static void pages_are(void **state)
 {
     (void)state;
@@ -816,6 +829,7 @@ int main(void)
         unit(what_few_claims_have),
         unit(pages_say),
         unit(pages_are),
+        unit(words_for_a_correction_are_told),
         unit(what_is_told_fits),
         unit(examples_of_statements),
         unit(files_say),

@@ -809,6 +809,32 @@ static void rows_of_numbers_are_told_by_their_ends(void **state)
     forget_exhibits(shown, count);
 }
 
+/* What the case does not ask for is no part of it: y belongs to those that hold, which the search tried as well. */
+static void asks_where_it_holds_q(trial *T)
+{
+    num_q x = unknown_q(T, "x", -1);
+    if (cagd_compare_q(x, from_int_q(2)) < 0) {
+        num_q y = unknown_q(T, "y", -1);
+        same_q(T, y, y);
+    } else {
+        same_q(T, x, from_int_q(T->planted ? 7 : 1));
+    }
+}
+static void only_what_the_case_asks_for_is_told(void **state)
+{
+    (void)state;
+    const claim c = {.name = "asks", .scope = "", .body = {[RATIONAL_TYPE] = asks_where_it_holds_q}};
+    exhibit *shown;
+    int count;
+    find_witness(&c, &shown, &count);
+    assert_true(count > 0);
+    assert_string_equal(shown[0].name, "x");
+    assert_string_equal(shown[0].value, "2");
+    for (int k = 0; k < count; k++)
+        assert_string_not_equal(shown[k].name, "y");
+    forget_exhibits(shown, count);
+}
+
 static void is_two_q(trial *T) { same_q(T, unknown_q(T, "x", 0), from_int_q(2)); }
 static void the_search_for_a_witness_leaves_the_faults(void **state)
 {
@@ -884,6 +910,7 @@ int main(void)
                                        unit(a_mistaken_control_catches_nothing),
                                        unit(what_is_apart_stays_so),
                                        unit(an_instance_compares_something),
+                                       unit(only_what_the_case_asks_for_is_told),
                                        unit(a_node_and_itself_are_counted),
                                        unit(nodes_are_compared_to_their_end),
                                        unit(a_fault_of_an_early_case_is_kept),
