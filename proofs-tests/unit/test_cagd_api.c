@@ -281,6 +281,9 @@ static void whichever_number_leaves_the_range_is_seen(void **state)
     assert_int_equal(cagd_rational_elevate(N, DIM, last, nearly, out, a), CAGD_OK);
     last[LAST] = 0x1p1000;
     assert_int_equal(cagd_rational_elevate(N, DIM, last, nearly, out, a), CAGD_OVERFLOW);
+    /* Of degree 0 the last point is the only one. */
+    const double far[] = {0x1p600}, heavy[] = {0x1p600};
+    assert_int_equal(cagd_rational_split(0, 1, far, heavy, 0.5, out, a, spare, b), CAGD_OVERFLOW);
     /* The last weight of the left part alone, whose points are 0. */
     const double zero[] = {0, 0}, opposite[] = {DBL_MAX, -DBL_MAX};
     assert_int_equal(cagd_rational_split(1, 1, zero, opposite, 2, out, a, spare, b), CAGD_OVERFLOW);

@@ -716,11 +716,42 @@ static void test_the_smallest_instance_of_a_failure(void **state)
         {IN(RATIONAL_TYPE, _q, false_everywhere)},
         {IN(FIELD_TYPE, _f, false_everywhere)},
         {IN(RATIONAL_TYPE, _q, true_of_any), .kind = COUNTEREXAMPLE},
-        {IN(RATIONAL_TYPE, _q, at_most_two), .degree_low = 1, .degree_high = 2, .degree_sampled = 2}};
+        {IN(RATIONAL_TYPE, _q, at_most_two), .letter = "m", .degree_low = 1, .degree_high = 2, .degree_sampled = 2}};
     for (size_t k = 0; k < sizeof without / sizeof *without; k++) {
         r = judge_one(&without[k]);
         assert_int_equal(r->as_expected, k == 3);
+        assert_string_equal(r->scope, k == 3 ? "m = 1 to 2; 24 random instances" : "");
         assert_int_equal(r->witnesses, 0);
+        free_results(r, 1);
+    }
+}
+
+/* A claim whose control is not caught is open, and no instance is looked for.  Where no number of the search will do, it ends
+ * after some hundred runs, long before its time is over. */
+static int runs_of_search;
+static void false_at_zero_q(trial *T)
+{
+    int k = 0;
+    while (k < 6 && cagd_sign_q(unknown_q(T, "x", k)) == 0)
+        k++;
+    same_q(T, from_int_q(k == 6), from_int_q(0)); /* without a control */
+}
+static void false_of_no_whole_number_q(trial *T)
+{
+    num_q x = unknown_q(T, "x", 0);
+    runs_of_search++;
+    same_q(T, from_int_q(strchr(to_string_q(x), '/') != NULL), from_int_q(fault(T, 0, 2)));
+}
+static void test_an_instance_that_is_not_found(void **state)
+{
+    (void)state;
+    const claim list[] = {{IN(RATIONAL_TYPE, _q, false_at_zero)}, {IN(RATIONAL_TYPE, _q, false_of_no_whole_number)}};
+    for (int k = 0; k < 2; k++) {
+        runs_of_search = 0;
+        claim_result *r = judge_one(&list[k]);
+        assert_int_equal(r->outcome, k == 0 ? UNDECIDED : FAILS);
+        assert_int_equal(r->witnesses, 0);
+        assert_true(runs_of_search < 1000);
         free_results(r, 1);
     }
 }
@@ -1521,6 +1552,7 @@ int main(void)
         unit(test_exhibits),
         unit(test_a_failing_case_tells_its_degree),
         unit(test_the_smallest_instance_of_a_failure),
+        unit(test_an_instance_that_is_not_found),
         unit(test_a_failing_decision_tells_its_data_and_its_condition),
         unit(test_a_failing_case_tells_its_data),
         unit(test_a_decision_without_data_is_tried_once_a_degree),
