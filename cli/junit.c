@@ -95,9 +95,9 @@ int write_junit(const char *path, const claim_result *results, int count)
     struct junit *j = junit_new();
     for (int k = 0; k < count; k++) {
         const claim_result *r = &results[k];
-        char failure[64], *text = r->as_expected ? NULL : line_of_failure(r);
-        snprintf(failure, sizeof failure, "%s, expected otherwise", outcome_name[r->outcome]);
+        char *failure = not_expected(r), *text = r->as_expected ? NULL : line_of_failure(r);
         junit_add(j, r->claim->chapter, r->claim->name, seconds_of(r), r->as_expected ? NULL : failure, text);
+        free(failure);
         free(text);
     }
     return junit_write(j, "cagd verify", path);

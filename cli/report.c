@@ -3,6 +3,7 @@
 #include "chapters/judge/memory_text.h"
 #include "cli/screen.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,6 +47,22 @@ static json_t *list_of_exhibits(const exhibit *shown, int count)
 
 static json_t *exhibits_json(const type_result *b) { return list_of_exhibits(b->shown, b->exhibits); }
 
+char *not_expected(const claim_result *r)
+{
+    char *text = NULL;
+    size_t room;
+    FILE *out = text_open(&text, &room);
+    fprintf(out, "%s, expected otherwise", outcome_name[r->outcome]);
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        if (r->by[t].ran && !r->by[t].control_caught)
+            fprintf(out, "; %s: its control was not caught", number_type_name[t]);
+    text_close(out, &text);
+    return text;
+}
+
+/* A number, or null for what is none or infinite, which JSON has not. */
+static json_t *number_json(double x) { return isfinite(x) ? json_real(x) : json_null(); }
+
 json_t *claim_json(const claim_result *r)
 {
     static const char *const kind[] = {"identity", "decision", "counterexample"};
@@ -60,9 +77,9 @@ json_t *claim_json(const claim_result *r)
         json_t *j = json_pack("{s:s, s:i, s:i, s:b, s:s}", "outcome", outcome_name[b->outcome], "cases", b->cases,
                               "compared", b->compared, "control_caught", b->control_caught, "seed", seed);
         if (t == DOUBLE_TYPE)
-            json_object_set_new(j, "largest_error_over_bound", json_real(b->worst));
+            json_object_set_new(j, "largest_error_over_bound", number_json(b->worst));
         if (t == INTERVAL_TYPE)
-            json_object_set_new(j, "widest_enclosure", json_real(b->worst));
+            json_object_set_new(j, "widest_enclosure", number_json(b->worst));
         json_object_set_new(j, "shown", exhibits_json(b));
         json_object_set_new(types, number_type_name[t], j);
     }

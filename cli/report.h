@@ -30,4 +30,6 @@ const type_result *speaking_type(const claim_result *r);
 char *line_of_exhibits(const exhibit *shown, int count);
 /* The counterexample, or whatever the claim shows, in one line: "n = 2; w = 1, 2, 1; ...".  The caller frees it. */
 char *exhibits_line(const claim_result *r);
+/* What a claim is whose result is not as expected, with the number types whose control was not caught.  The caller frees. */
+char *not_expected(const claim_result *r);
 #endif

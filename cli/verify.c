@@ -183,8 +183,11 @@ static void put_tap_witness(const claim_result *r)
     const type_result *b = speaking_type(r);
     if (b == NULL)
         return;
-    printf("  ---\n  message: %s, expected otherwise\n  seed: \"%016llx\"\n", outcome_name[r->outcome],
-           (unsigned long long)b->seed);
+    char *message = not_expected(r);
+    fputs("  ---\n  message: ", stdout);
+    put_quoted(message);
+    printf("\n  seed: \"%016llx\"\n", (unsigned long long)b->seed);
+    free(message);
     put_tap_exhibits("data", b->shown, b->exhibits);
     put_tap_exhibits("small_instance", r->witness, r->witnesses);
     puts("  ...");

@@ -34,11 +34,18 @@ void forget_exhibits(exhibit *shown, int count)
     free(shown);
 }
 
+/* The field and decisions settle a degree; instances are sampled of larger ones, too. */
+static int highest_degree(const struct plan *p)
+{
+    const claim *c = p->claim;
+    return c->kind != IDENTITY || p->type == FIELD_TYPE ? c->degree_high : c->degree_sampled;
+}
+
 /* How many cases a claim has in a number type: every degree once where a case settles its degree,
- * otherwise as many random instances as the depth asks. */
+ * otherwise as many random instances as the depth asks, and at least one of every degree. */
 static int cases_of(const struct plan *p)
 {
-    int degrees = p->claim->degree_high - p->claim->degree_low + 1;
+    int degrees = highest_degree(p) - p->claim->degree_low + 1;
     if (p->claim->kind != IDENTITY || p->type == FIELD_TYPE)
         return degrees;
     int wanted = p->deep ? 1000 : p->type == INTERVAL_TYPE ? 12 : 24;
@@ -47,9 +54,8 @@ static int cases_of(const struct plan *p)
 
 static int degree_of(const struct plan *p, int k)
 {
-    const claim *c = p->claim;
-    int high = c->kind != IDENTITY || p->type == FIELD_TYPE ? c->degree_high : c->degree_sampled;
-    return c->degree_low + k % (high - c->degree_low + 1);
+    int low = p->claim->degree_low;
+    return low + k % (highest_degree(p) - low + 1);
 }
 
 /* The field starts small and grows on demand. */
@@ -137,12 +143,11 @@ static void add_words(char **list, char *more)
 void show_degree(const claim *c, trial *T)
 {
     const char *letter = c->letter != NULL && c->letter[0] != '\0' ? c->letter : "n";
-    int order = strcmp(letter, "k") == 0;
     for (int k = 0; k < T->exhibits; k++)
         if (strcmp(T->shown[k].name, letter) == 0)
             return;
     if (c->degree_high > 0)
-        show_text(T, letter, "%d", T->degree + order);
+        show_text(T, letter, "%d", T->degree);
 }
 
 static type_result judge_type(const struct plan *p)
@@ -160,7 +165,7 @@ static type_result judge_type(const struct plan *p)
         r.faults |= region_faults;
         r.cases++;
         r.compared += T.compared;
-        if (T.worst > r.worst)
+        if (!(T.worst <= r.worst)) /* the worst is what is no number, with which the cases end */
             r.worst = T.worst;
         if (T.degree > r.degree_high)
             r.degree_high = T.degree;
@@ -207,12 +212,14 @@ static void conclude(claim_result *r)
 {
     const claim *c = r->claim;
     outcome wanted = c->kind == COUNTEREXAMPLE ? FAILS : HOLDS;
+    int types = 0;
     r->as_expected = 1;
     r->outcome = UNDECIDED;
     for (number_type t = 0; t < NUMBER_TYPES; t++) {
         const type_result *b = &r->by[t];
         if (!b->ran)
             continue;
+        types++;
         /* Intervals that meet confirm nothing, and refute nothing; what was not computed is another matter. */
         int cannot_confirm = t == INTERVAL_TYPE && b->outcome == UNDECIDED && wanted == HOLDS && b->faults == 0;
         if ((b->outcome != wanted && !cannot_confirm) || !b->control_caught)
@@ -222,6 +229,8 @@ static void conclude(claim_result *r)
         if (b->outcome == FAILS)
             r->outcome = FAILS;
     }
+    if (types == 0)
+        r->as_expected = 0; /* what was not run is not known */
     if (r->as_expected)
         r->outcome = wanted;
     else

@@ -75,6 +75,7 @@ static int is_within(const char *table, const char *narrow, const char *wide)
     if (strcmp(narrow, wide) == 0)
         return 1;
     for (const char *row = table; row != NULL && *row != '\0'; row += *row == ';') {
+        row += strspn(row, " ");
         size_t end = strcspn(row, ";"), n = strcspn(row, "|");
         int is_left = n > 1 && n < end && (is_text(row, n - 1, narrow) || is_text(row, n - 1, "*"));
         if (is_left && is_text(row + n + 2, end - n - 2, wide))

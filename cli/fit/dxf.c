@@ -129,6 +129,8 @@ int read_dxf(struct reader *r, const struct columns *asked, struct points *p)
             return refuse(r, NULL, "the text ends inside of a pair");
         if (code == 0 && strcmp(value, "EOF") == 0)
             break;
+        if (code == 999) /* a comment, which may stand between the pairs of a name */
+            continue;
         if (code == 2 && section)
             d.in_entities = strcmp(value, "ENTITIES") == 0;
         section = code == 0 && strcmp(value, "SECTION") == 0;

@@ -63,7 +63,7 @@ static const json_t *named(const json_t *object, const char *name)
 {
     const char capital[] = {(char)(name[0] - 'a' + 'A'), '\0'};
     const json_t *value = json_object_get(object, name);
-    return value != NULL || name[1] != '\0' ? value : json_object_get(object, capital);
+    return value != NULL || strlen(name) != 1 ? value : json_object_get(object, capital);
 }
 
 /* {"x": [...], "y": [...]} as an array of points with names; NULL where the arrays are not alike. */

@@ -97,14 +97,22 @@ int add_to_stroke(struct strokes *s, struct points *p, const double at[], double
     return s->count > 1 ? 0 : add_point(p, at, sigma, line);
 }
 
+int is_same_point(const struct points *p, int i, int j)
+{
+    int same = 1;
+    for (int c = 0; c < p->dim; c++)
+        same &= p->at[i * p->dim + c] == p->at[j * p->dim + c];
+    return same;
+}
+
 int close_stroke(struct strokes *s, struct points *p)
 {
     if (s->count > 1 || p->count < 2)
         return 0;
+    if (is_same_point(p, 0, p->count - 1))
+        return 0;
     double first[3] = {0};
     memcpy(first, p->at, (size_t)p->dim * sizeof *first);
-    if (memcmp(p->at + (size_t)(p->count - 1) * (size_t)p->dim, first, (size_t)p->dim * sizeof *first) == 0)
-        return 0;
     return add_to_stroke(s, p, first, p->sigma[0], p->line[0]);
 }
 

@@ -31,6 +31,8 @@ struct strokes {
 };
 void begin_stroke(struct strokes *s);
 int add_to_stroke(struct strokes *s, struct points *p, const double at[], double sigma, int line);
+/* Whether points i and j have equal coordinates; 0 and -0 are. */
+int is_same_point(const struct points *p, int i, int j);
 /* The first point once more, unless it is the last one already. */
 int close_stroke(struct strokes *s, struct points *p);
 /* Whether there is exactly one; 0, or -1 and the error, which calls one of them `what`. */

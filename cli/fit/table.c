@@ -810,7 +810,7 @@ static void join_sides(struct points *p)
         return;
     for (int i = 1, j = m; i < j; i++, j--)
         swap_points(p, i, j);
-    int same = memcmp(p->at + 2 * m, p->at + 2 * (m + 1), 2 * sizeof *p->at) == 0; /* the nose */
+    int same = is_same_point(p, m, m + 1); /* the nose */
     for (int from = 1, to = 0; from <= m + n; from++)
         if (from != m + 1 || !same) {
             memmove(p->at + 2 * to, p->at + 2 * from, 2 * sizeof *p->at);

@@ -154,21 +154,32 @@ void print_choice(const struct fit *f)
 
 /* ---- an ellipse ------------------------------------------------------------------------------------------ */
 
+/* A number with its error, or as it was reached where that is no minimum. */
+static void print_reached(int minimum, const char *name, cagd_fit_number x)
+{
+    if (!minimum)
+        x.error = NAN;
+    print_number(name, x);
+}
+
 void print_ellipse(const struct fit *f)
 {
     const cagd_fit_ellipse *e = &f->result->found.ellipse;
     static const char *const centre[] = {"centre x", "centre y", "centre z"};
     const int minimum = cagd_fit_is_minimum(f->result);
-    printf("\n%20s%18s%18s     %s\n", "", "estimate", "standard error", "95 % interval");
-    for (int c = 0; c < f->data.dim && minimum; c++)
-        print_number(centre[c], e->circle ? e->circle_centre[c] : e->centre[c]);
-    if (e->circle && minimum)
-        print_number("radius", e->radius);
-    if (!e->circle && minimum) {
-        print_number("semi-major axis", e->major);
-        print_number("semi-minor axis", e->minor);
+    if (minimum)
+        printf("\n%20s%18s%18s     %s\n", "", "estimate", "standard error", "95 % interval");
+    else
+        printf("\n%20s%18s\n", "", "reached");
+    for (int c = 0; c < f->data.dim; c++)
+        print_reached(minimum, centre[c], e->circle ? e->circle_centre[c] : e->centre[c]);
+    if (e->circle) {
+        print_reached(minimum, "radius", e->radius);
+    } else {
+        print_reached(minimum, "semi-major axis", e->major);
+        print_reached(minimum, "semi-minor axis", e->minor);
         if (f->data.dim == 2)
-            print_number("angle in degrees", e->angle);
+            print_reached(minimum, "angle in degrees", e->angle);
     }
     puts("");
     if (minimum && isnan(e->radius.low) && isfinite(e->radius.error))

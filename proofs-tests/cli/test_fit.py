@@ -237,6 +237,9 @@ class Files(Case):
         self.assertEqual(at, self.SELIG)
         self.assertEqual(lines, [*range(34, 3, -1), *range(37, 67)])
         self.assertIn("31 points of the upper and 31 of the lower side", notes[1])
+        below = self.body([[-0.0, -0.0]] + self.LOWER[1:])  # the same nose
+        self.assertIn("-0", below)
+        self.assertEqual(self.read("31 31\n" + self.body(self.UPPER) + below)[0], self.SELIG)
         blunt = [[x, round(y - 0.001, 5)] for x, y in self.LOWER]  # a nose of its own
         self.assertEqual(self.read("31 31\n" + self.body(self.UPPER + blunt))[0], self.UPPER[::-1] + blunt)
         for text in "30 31\n" + self.body(self.UPPER + self.LOWER), "31 31\n" + self.body(self.UPPER[::-1] + self.LOWER):
@@ -312,6 +315,8 @@ class Files(Case):
             self.assertEqual("3 curved pieces" in " ".join(notes), "A5" in d)
         self.assertEqual(self.read('<svg><polyline points="0,0 1,1 2,0 3,5"/></svg>', "--ends", "exact")[0], [[0, 0], [1, 1], [2, 0], [3, 5]])
         at, _, _, notes = self.read('<svg><g transform="scale(2)"><polygon points="0 0 1 1 2 0 3 5"/></g></svg>', "--ends", "exact")
+        closed = '<svg><polygon points="0 0 1 1 2 0 3 5 -0 0"/></svg>'
+        self.assertEqual(self.read(closed, "--ends", "exact")[0], [[0, 0], [1, 1], [2, 0], [3, 5], [0, 0]])
         self.assertEqual((at[4], notes[-1]), ([0, 0], "transformations are not applied"))
         for d, words in [("M0 0L1", ["expected a number"]), ("L1 1", ["begin with M"]), ("M0 0L1 1M2 2L3 3", ["2 paths", "of 2, 2"])]:
             self.refuses(f'<svg><path d="{d}"/></svg>', words)
@@ -331,6 +336,7 @@ class Files(Case):
         self.assertEqual(self.read(self.dxf(light.replace("70\n0", "70\n1")))[0], self.UPPER + self.UPPER[:1])
         self.assertEqual(self.read(self.dxf(heavy % 8))[0], [[x, y, x * y] for x, y in self.UPPER])
         self.assertIn("1 of the pieces", self.read(self.dxf(light.replace(" 10\n", " 42\n0.5\n 10\n", 2).replace(" 42\n0.5\n", "", 1)))[3][0])
+        self.assertEqual(self.read(self.dxf(light).replace("SECTION\n", "SECTION\n999\nof the drawing\n"))[0], self.UPPER)
         self.refuses(self.dxf(light + light), ["2 polylines", "of 31, 31"])
         self.refuses(self.dxf(""), ["no polyline"])
         self.refuses(self.dxf("0\nVERTEX\n10\n1\n20\n2\n0\nSEQEND\n"), ["line 8", "VERTEX stands outside of a POLYLINE"])

@@ -216,6 +216,8 @@ static void is_not_i(trial *T)
     num_i x = positive_i(T, "x", 1);
     same_i(T, x, add_i(x, from_int_i(1)));
 }
+/* The error is infinitely many times a bound of 0. */
+static void is_not_m(trial *T) { same_m(T, exact_m(1), exact_m(2)); }
 static claim told_claims[] = {
     {TEXTS("three_is_four_in_whatever_way_it_is_counted", "two", 40), .kind = COUNTEREXAMPLE,
      .body = {[RATIONAL_TYPE] = is_four_q}, .data = in_one_line},
@@ -230,6 +232,7 @@ static claim told_claims[] = {
     {TEXTS("one_is_two_in_intervals", "two", 50), .body = {[INTERVAL_TYPE] = is_not_i}},
     {TEXTS("nobody_knows", "two", 60), .body = {[FIELD_TYPE] = is_unable_f}},
     {TEXTS("never_caught", "two", 80), .body = {[RATIONAL_TYPE] = never_caught_q}},
+    {TEXTS("one_is_two_in_double", "two", 85), .body = {[DOUBLE_TYPE] = is_not_m}},
     {.name = NULL}};
 #define FALSE_BY(name) LINKS({REFUTED_BY, name, NULL, "", NULL})
 static statement told_statements[] = {
@@ -594,6 +597,13 @@ static void what_few_claims_have(void **state)
                                 "expected\n"));
     assert_non_null(strstr(out, "; 3 of 4 controls caught\n"));
     assert_null(strstr(out, "of the bound")); /* which is a bound of an identity */
+    free(out);
+    /* Why a claim that holds is not as expected; an error that is infinite, which JSON cannot say. */
+    assert_int_equal(CALL(verify, &few, &out, "--tap", "never_caught"), EXIT_NOT_AS_EXPECTED);
+    assert_non_null(strstr(out, "message: \"undecided, expected otherwise; rational: its control was not caught\"\n"));
+    free(out);
+    assert_int_equal(CALL(verify, &told, &out, "--json", "one_is_two_in_double"), EXIT_NOT_AS_EXPECTED);
+    assert_non_null(strstr(out, "\"largest_error_over_bound\": null"));
     free(out);
     assert_int_equal(CALL(ledger, &few, &out, "-j1", "--json"), EXIT_AS_EXPECTED);
     json_t *ledger = json_loads(out, 0, NULL);
