@@ -37,7 +37,7 @@ static inline cagd_status nonzero(int count, const double weights[])
 }
 
 /* d times the power 2^-e of two that brings its largest component into [1/2, 1).  Returns e, or 0 for d = 0.
- * Squares of components can then neither overflow nor vanish. */
+ * The square of its length can then neither overflow nor vanish. */
 static inline int normalize(int dim, double d[])
 {
     double largest = 0;
@@ -50,21 +50,38 @@ static inline int normalize(int dim, double d[])
     return e;
 }
 
-/* *curvature from the first two derivatives, which are scaled on the way. */
+/* n = a x b, of vectors of the plane its third component, scaled as well: of nearly parallel vectors of length 1 it is so short that
+ * its square would vanish.  Returns the exponent. */
+static inline int normalized_product(int dim, const double a[], const double b[], double n[])
+{
+    n[0] = n[1] = 0;
+    if (dim == 2)
+        n[2] = cross2_d(a, b);
+    else
+        cross3_d(a, b, n);
+    return normalize(3, n);
+}
+
+/* *curvature = |d1 x d2| / |d1|^3 from the first two derivatives, which are scaled on the way, dim 2 or 3. */
 static inline cagd_status curvature_of_derivatives(int dim, double d1[], double d2[], double *curvature)
 {
     int e1 = normalize(dim, d1), e2 = normalize(dim, d2);
-    REQUIRE(norm_squared_d(dim, d1) != 0, CAGD_UNDEFINED);
-    *curvature = ldexp(curvature_d(dim, d1, d2), e2 - 2 * e1);
+    double n[3], g = norm_squared_d(dim, d1);
+    REQUIRE(g != 0, CAGD_UNDEFINED);
+    int e = normalized_product(dim, d1, d2, n);
+    double gram = norm_squared_d(3, (const double[]){n[2], n[1], n[0]}); /* the minors in the order of the kernel */
+    *curvature = ldexp(sqrt(gram / (g * (g * g))), e + e2 - 2 * e1);
     return result(1, curvature);
 }
 
-/* *torsion from the first three derivatives of a curve in space, which are scaled on the way. */
+/* *torsion = (d1 x d2) . d3 / |d1 x d2|^2 from the first three derivatives of a curve in space, which are scaled on the way. */
 static inline cagd_status torsion_of_derivatives(double d1[], double d2[], double d3[], double *torsion)
 {
     int e1 = normalize(3, d1), e2 = normalize(3, d2), e3 = normalize(3, d3);
-    REQUIRE(gram_d(3, d1, d2) != 0, CAGD_UNDEFINED);
-    *torsion = ldexp(torsion_d(d1, d2, d3), e3 - e1 - e2);
+    double n[3];
+    int e = normalized_product(3, d1, d2, n);
+    REQUIRE(norm_squared_d(3, n) != 0, CAGD_UNDEFINED);
+    *torsion = ldexp(dot_d(3, n, d3) / norm_squared_d(3, n), e3 - e1 - e2 - e);
     return result(1, torsion);
 }
 #endif

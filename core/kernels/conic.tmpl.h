@@ -97,11 +97,11 @@ KERNEL void G(conic_of_bezier)(const num R[restrict], const num w[restrict], num
         S[i] = sub(mul(outer, chord[i]), mul(inner, tangents[i]));
 }
 
-/* omega = w_1 / sqrt(w_0 w_2), the middle weight of the standard form (formula 3.5.2).
- * UNDEFINED when w_0 w_2 = 0; UNABLE when it has no root. */
+/* omega = w_1 / sqrt(w_0 w_2), for w_0, w_2 > 0 the middle weight of the standard form (formula 3.5.2); for w_0, w_2 < 0 that is
+ * -omega.  UNDEFINED when w_0 w_2 = 0; UNABLE when it has no root. */
 KERNEL num G(conic_standard_weight)(const num w[]) { return div(w[1], root(2, mul(w[0], w[2]))); }
 
-/* The shoulder point (肩点), parameter 1/2 of the standard form, on the median through R_1 (corollary 3.5.1):
+/* The shoulder point (肩点) for w_0, w_2 > 0, parameter 1/2 of the standard form, on the median through R_1 (corollary 3.5.1):
  *     out = (R_0 + 2 omega R_1 + R_2) / (2 (1 + omega)),   omega != -1. */
 KERNEL void G(conic_shoulder_point)(const num R[restrict], const num w[restrict], num out[restrict])
 {

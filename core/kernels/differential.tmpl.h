@@ -70,10 +70,12 @@ KERNEL num G(signed_curvature)(const num d1[], const num d2[])
     return div(G(cross2)(d1, d2), mul(g, root(2, g)));
 }
 
-/* tau = (d1, d2, d3) / |d1 x d2|^2, in space. */
+/* tau = (d1 x d2) . d3 / |d1 x d2|^2, in space. */
 KERNEL num G(torsion)(const num d1[], const num d2[], const num d3[])
 {
-    return div(G(det3)(d1, d2, d3), G(gram)(3, d1, d2));
+    num n[3];
+    G(cross3)(d1, d2, n);
+    return div(G(dot)(3, n, d3), G(norm_squared)(3, n));
 }
 
 /* The squared curvature of the rational Bézier curve (R, w) at t, 2 <= dim < MAX_DIM. */

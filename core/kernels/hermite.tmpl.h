@@ -30,7 +30,7 @@ KERNEL void G(hermite_blending)(num t0, num t1, num t, int r, num B[])
     }
 }
 
-/* Row k of out is the derivative of order k at t, k = 0, ..., r, of the cubic curve over [t0, t1] with the data
+/* Row k of out is the derivative of order k at t, k = 0, ..., r, r <= MAX_DEGREE, of the cubic curve over [t0, t1] with the data
  *     P(t0), P(t1), P'(t0), P'(t1)
  * in this order.  UNDEFINED for t0 = t1. */
 KERNEL void G(hermite_cubic)(int dim, num t0, num t1, const num data[restrict], num t, int r, num out[restrict])

@@ -23,7 +23,7 @@ void cagd_field_close(void);
 /* The names known, separated by blanks; in the region. */
 const char *cagd_field_variables(void);
 
-/* The variable of that name, new or known.  CROWDED; UNABLE for a name of more than CAGD_FIELD_MAX_NAME bytes. */
+/* The variable of that name, new or known.  CROWDED, unless a fault stands already; UNABLE for a name of more than CAGD_FIELD_MAX_NAME bytes. */
 cagd_num_f cagd_variable_f(const char *name);
 
 cagd_num_f cagd_add_f(cagd_num_f a, cagd_num_f b);
@@ -74,7 +74,8 @@ cagd_num_f cagd_denominator_f(cagd_num_f a);
 long cagd_words_f(cagd_num_f a);
 
 /* The factors of the numerator that contain the variable, irreducible over the rationals, with their powers; their number,
- * at most room, or -1 when there are more.  The rest is a factor without the variable. */
+ * at most room, or -1 when there are more, or with UNABLE where that is no variable or they were not found.  The rest is a factor
+ * without the variable. */
 int cagd_factors_f(cagd_num_f a, cagd_num_f variable, int room, cagd_num_f factor[], int power[]);
 
 const char *cagd_to_string_f(cagd_num_f a); /* "(a + b)/c"; in the region                                      */

@@ -33,6 +33,8 @@ static void *in_thread(void *queue)
 
 void cagd_in_parallel(int jobs, int count, void (*work)(void *context, int k), void *context)
 {
+    if (count < 1)
+        return;
     struct queue q = {.count = count, .work = work, .context = context};
     int threads = jobs < 1 ? 1 : jobs < count ? jobs : count, started = 0;
     pthread_t *thread = calloc((size_t)threads + 1, sizeof *thread);

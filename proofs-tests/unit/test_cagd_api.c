@@ -89,6 +89,24 @@ static void curvature_has_no_range_of_its_own(void **state)
         assert_true(scaled == ldexp(unit, -e));
     }
 }
+/* First derivatives that are nearly parallel: d1 = (2, 0) and d2 = (2, 2 h); then d1 = 3 (1, 0, 0), d2 = 6 (1, h, 0) and
+ * d3 = 6 (0, -3 h, z), with h = 2^-600, whose square binary64 does not have. */
+static void nearly_parallel_derivatives(void **state)
+{
+    (void)state;
+    const double h = 0x1p-600, plane[] = {0, 0, 1, 0, 3, h}, ones[] = {1, 1, 1, 1};
+    double k, tau;
+    assert_int_equal(cagd_rational_curvature(2, 2, plane, ones, 0, &k), CAGD_OK);
+    assert_true(k == h / 2);
+    for (double z = 1; z > h * h; z *= h) {
+        const double space[] = {0, 0, 0, 1, 0, 0, 3, h, 0, 6, 0, z};
+        assert_int_equal(cagd_rational_curvature(3, 3, space, ones, 0, &k), CAGD_OK);
+        assert_true(fabs(k / (h * 2 / 3) - 1) < 1e-15);
+        assert_int_equal(cagd_rational_torsion(3, space, ones, 0, &tau), CAGD_OK);
+        assert_true(fabs(tau / (z / h / 3) - 1) < 1e-15);
+    }
+}
+
 /* Derivatives (4,0,0), (0,12,0), (0,0,24) at t = 0: curvature 48/64 and torsion 24/48, without rounding. */
 static void curvature_and_torsion_of_a_quartic(void **state)
 {
@@ -357,6 +375,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_are_the_kernels),
         cmocka_unit_test(curvature_has_no_range_of_its_own),
+        cmocka_unit_test(nearly_parallel_derivatives),
         cmocka_unit_test(curvature_and_torsion_of_a_quartic),
         cmocka_unit_test(bad_arguments_are_refused),
         cmocka_unit_test(every_coordinate_is_asked_for),

@@ -2,6 +2,7 @@
 #include "unit_exact.h"
 
 #include "exact/number/field.h"
+#include "exact/number/parallel.h"
 #include "exact/words.h"
 
 #include <pthread.h>
@@ -218,6 +219,18 @@ static void more_factors_than_a_list_has(void **state)
     field_close();
 }
 
+/* Where there is nothing to do in parallel, nothing is touched. */
+static void no_work(void **state)
+{
+    (void)state;
+    cagd_field_open(1);
+    num_f x = variable_f("x");
+    cagd_in_parallel(2, 0, NULL, NULL);
+    assert_string_equal(cagd_field_variables(), "x");
+    assert_true(equal_f(x, variable_f("x")));
+    field_close();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -229,6 +242,7 @@ int main(void)
         unit(sizes),
         unit(linear_forms),
         unit(more_factors_than_a_list_has),
+        unit(no_work),
     };
     return run_unit_tests(tests);
 }
