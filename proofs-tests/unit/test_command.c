@@ -176,7 +176,7 @@ static const statement good_statements[] = {
                     {READING, "square_is_product", NULL, "another way", NULL})},
     {STATEMENT("7", "paper", 7, "", "", "", ""),
      .links = LINKS({HOLDS_BY, "sum_is_double", NULL, "", NULL}, {READING, "three_is_four", NULL, "one way", NULL},
-                    {MEANT, NULL, "page 8", "the other", NULL})},
+                    {CONFIRMED_BY, "sum_is_double", NULL, "", NULL}, {MEANT, NULL, "page 8", "the other", NULL})},
     {STATEMENT("8", "paper", 8, "false", "", "", ""), .striking = 2,
      .links = LINKS({REFUTED_BY, "three_is_four", NULL, "", NULL})},
     {.id = NULL}};
@@ -789,6 +789,7 @@ static void files_say(void **state)
                                            {"book/1.json", "certificate-holds.json"},
                                            {"book/2.json", "certificate-fails.json"},
                                            {"paper/4.json", "certificate-definition.json"},
+                                           {"paper/6.json", "certificate-undecided.json"},
                                            {"ledger.txt", "report-ledger.txt"},
                                            {"summary.txt", "report-summary.txt"},
                                            {"striking.txt", "report-striking.txt"},

@@ -53,6 +53,18 @@ static void roots_over_roots_are_the_numbers_they_are(void **state)
         assert_int_equal(cagd_algebraic_sign(&a, cagd_algebraic_value(&a, above, x)), 1);
         assert_int_equal(cagd_algebraic_sign(&a, cagd_algebraic_value(&a, below, x)), -1);
     }
+    /* Over x^3 = 9 the greatest root of y^2 + xy + 1, which is negative: at y = 0 this has another degree in x than elsewhere. */
+    cagd_algebraic_point c = cagd_algebraic_origin();
+    assert_int_equal(c.theta.multiplicity, 1);
+    c = with_greatest_root(c, sub_f(mul_f(X, square(X)), whole(9)));
+    zero = add_f(add_f(square(Y), mul_f(X, Y)), whole(1));
+    c = with_greatest_root(c, zero);
+    assert_int_equal(region_faults, 0);
+    assert_int_equal(cagd_poly_degree(c.theta.factor), 6);
+    assert_int_equal(cagd_algebraic_sign(&c, cagd_algebraic_value(&c, zero, x)), 0);
+    struct cagd_root negative = cagd_refine_root(cagd_algebraic_coordinate(&c, 1), from_ratio_q(1, 1000000000));
+    assert_int_equal(region_faults, 0);
+    assert_true(fabs(cagd_to_double_q(negative.lo) - (sqrt(cbrt(81) - 4) - cbrt(9)) / 2) < 1e-8);
     /* A root that is in the field already: y^2 = 2 over sqrt 2 makes no larger one. */
     cagd_algebraic_point b = with_greatest_root(cagd_algebraic_origin(), sub_f(square(X), whole(2)));
     b = with_greatest_root(b, sub_f(square(Y), whole(2)));
@@ -253,6 +265,8 @@ static void what_is_too_much_is_not_known(void **state)
     cagd_sign_condition c[MOST], claim = {X, at_least()};
     const double until = cagd_seconds() + SURE;
     assert_int_equal(cagd_implies(0, c, claim, 0, x, until, &at), CAGD_IMPLICATION_NOT_KNOWN);
+    assert_int_equal(cagd_implies(0, c, (cagd_sign_condition){whole(1), at_least()}, 0, x, until, &at),
+                     CAGD_IMPLICATION_NOT_KNOWN);
     assert_int_equal(cagd_implies(0, c, claim, CAGD_MOST_COORDINATES + 1, x, until, &at), CAGD_IMPLICATION_NOT_KNOWN);
     assert_int_equal(cagd_implies(0, c, claim, 1, x, until, &at), CAGD_NOT_IMPLIED);
     /* x > k for many k, each with the number before. */

@@ -179,6 +179,24 @@ static void test_nothing_compared_is_a_failure(void **state)
     free_results(r, 1);
 }
 
+/* A letter k counts orders, or something else, from 0 on. */
+static void test_orders_are_told_as_they_are(void **state)
+{
+    (void)state;
+    static const char *const scope[] = {"k = 0 to 6; all data", "k = 1 to 6; all data", "every k; all data"};
+    for (int k = 0; k < 3; k++) {
+        const claim c = {IN(FIELD_TYPE, _f, square_of_sum),
+                         .letter = "k",
+                         .degree_low = k == 1,
+                         .degree_high = 6,
+                         .degree_sampled = 6,
+                         .all_degrees = k == 2};
+        claim_result *r = judge_one(&c);
+        assert_string_equal(r->scope, scope[k]);
+        free_results(r, 1);
+    }
+}
+
 /* Of what was not run nothing is known. */
 static void test_a_claim_that_is_not_run(void **state)
 {
@@ -1018,6 +1036,28 @@ static void test_evidence_is_that_of_the_weakest_claim(void **state)
     }
 }
 
+/* What refutes together is as good as the weakest of it, whichever stands first; the scope is the first one's. */
+static void test_what_refutes_is_as_good_as_its_weakest(void **state)
+{
+    (void)state;
+    static const claim argued = {.name = "argued", .kind = COUNTEREXAMPLE};
+    static char another_scope[] = "another instance";
+    const claim_result two[] = {
+        results[3],
+        {.claim = &argued, .as_expected = 1, .outcome = FAILS, .evidence = BY_ARGUMENT, .scope = another_scope}};
+    for (int turned = 0; turned < 2; turned++) {
+        const statement_link links[] = {{REFUTED_BY, turned ? "argued" : "against", NULL, "", NULL},
+                                        {REFUTED_BY, turned ? "against" : "argued", NULL, "", NULL},
+                                        {HOLDS_BY, NULL, NULL, NULL, NULL}};
+        const statement s = {.id = "source:1", .links = links};
+        statement_result r = derive(&s, two, 2);
+        assert_int_equal(r.verdict, VERDICT_FAILS);
+        assert_int_equal(r.as_printed.evidence, BY_ARGUMENT);
+        assert_string_equal(r.as_printed.scope, turned ? another_scope : against_scope);
+        free_statement_result(&r);
+    }
+}
+
 static void test_readings(void **state)
 {
     (void)state;
@@ -1080,6 +1120,7 @@ static const claim
     five = {.name = "five", .scope = "", .over = "x#: points; w#: weights; h#: shifts; gamma; t"},
     last = {.name = "last", .scope = "", .over = "w#: weights; t"},
     maps = {.name = "maps", .scope = "all maps", .within = order},
+    wide = {.name = "wide", .scope = "every pattern of knots; all maps", .within = order},
     designed = {.name = "designed", .scope = "the stated polygons"},
     regular = {.name = "regular", .scope = "", .where = "P ≠ 0; 0 < t < 1", .over = "w#: weights; t"},
     nonzero = {.name = "nonzero",
@@ -1113,6 +1154,7 @@ static const claim_result scoped[] = {
     RUN_IN_FIELD(closed, 1, 4, one_weight, no_names),
     RUN_IN_FIELD(patterns, 1, 3, no_names, no_names),
     RUN_IN_FIELD(maps, 0, 0, no_names, no_names),
+    RUN_IN_FIELD(wide, 1, 3, no_names, no_names),
     RUN_IN_FIELD(below, 0, 0, one_weight, no_names),
     RUN_IN_FIELD(arc, 0, 0, one_weight, no_names),
     RUN_IN_FIELD(regular, 1, 4, one_weight, no_names),
@@ -1205,6 +1247,9 @@ static void test_a_narrower_phrase_is_left(void **state)
     assert_finding("n", PROVED, "every t below 1; all weights", "", LINKS(BY("below")));
     assert_finding("n", PROVED, "n = 1 to 3; every pattern of knots", "", LINKS(BY("maps"), BY("patterns")));
     assert_finding("n", PROVED, "n = 1 to 3; every pattern of knots", "", LINKS(BY("patterns"), BY("maps")));
+    assert_finding("n", PROVED, "every m from 2 on; simple knots; all data", "", LINKS(BY("odd"), BY("maps")));
+    assert_finding("n", PROVED, "n = 1 to 3; every m from 2 on; simple knots; all data", "",
+                   LINKS(BY("wide"), BY("odd"))); /* it takes the place of both */
 }
 
 /* Phrases that nobody compares are about different things: the degree is what is common. */
@@ -1442,6 +1487,13 @@ static void test_the_finding_of_a_reading(void **state)
     assert_int_equal(alone.evidence, PROVED);
     free_finding(&alone);
     free_finding(&two);
+    const statement_link weak_last[] = {{READING, first, NULL, "one way", NULL},
+                                        {READING_WITH, first, NULL, "", NULL},
+                                        {READING_WITH, second, NULL, "", NULL},
+                                        {HOLDS_BY, NULL, NULL, NULL, NULL}};
+    finding three = finding_of_reading(&s, weak_last, scoped, count);
+    assert_int_equal(three.evidence, BY_ARGUMENT);
+    free_finding(&three);
     finding one = finding_of_reading(&s, links + 3, scoped, count), same = finding_of(&scoped[3], "n");
     assert_int_equal(one.evidence, same.evidence);
     assert_string_equal(one.scope, same.scope);
@@ -1536,6 +1588,14 @@ static void test_a_claim_that_needs_words_is_argued(void **state)
     r = judge_one(&adds);
     assert_int_equal(r->evidence, PROVED);
     free_results(r, 1);
+    /* what is weaker than words stays so, as does what is not known */
+    const claim weak[] = {{IN(RATIONAL_TYPE, _q, square_of_sum), .argued_for = "", .argued = "words"},
+                          {IN(RATIONAL_TYPE, _q, nothing), .argued_for = "", .argued = "words"}};
+    for (int k = 0; k < 2; k++) {
+        r = judge_one(&weak[k]);
+        assert_int_equal(r->evidence, k == 0 ? SAMPLED : NO_EVIDENCE);
+        free_results(r, 1);
+    }
 }
 
 static void test_finding_words(void **state)
@@ -1570,6 +1630,7 @@ int main(void)
         unit(test_deep_is_deeper),
         unit(test_false_is_false),
         unit(test_nothing_compared_is_a_failure),
+        unit(test_orders_are_told_as_they_are),
         unit(test_a_claim_that_is_not_run),
         unit(test_an_error_that_is_no_number_is_the_largest),
         unit(test_a_control_must_fail_by_comparison),
@@ -1600,6 +1661,7 @@ int main(void)
         unit(test_no_claims),
         unit(test_every_combination_of_roles),
         unit(test_evidence_is_that_of_the_weakest_claim),
+        unit(test_what_refutes_is_as_good_as_its_weakest),
         unit(test_readings),
         unit(test_result_of),
         unit(test_the_scope_is_what_all_claims_have_in_common),
