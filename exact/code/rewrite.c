@@ -734,6 +734,58 @@ static int are_only_carried(LLVMValueRef bits)
     return 1;
 }
 
+/* Whether the comparison has the same outcome for all of 0, ..., most, compared as numbers without sign: the constant is above them; or it
+ * is the last of them, and it is asked whether they are beyond it. */
+static int asks_whether_beyond(LLVMValueRef user, LLVMValueRef bits, unsigned long long most)
+{
+    if (!LLVMIsAICmpInst(user) || LLVMGetOperand(user, 0) != bits || !LLVMIsAConstantInt(LLVMGetOperand(user, 1)))
+        return 0;
+    unsigned long long constant = LLVMConstIntGetZExtValue(LLVMGetOperand(user, 1));
+    switch (LLVMGetICmpPredicate(user)) {
+    case LLVMIntEQ:
+    case LLVMIntNE:
+    case LLVMIntULT:
+    case LLVMIntUGE:
+        return constant > most;
+    case LLVMIntUGT:
+    case LLVMIntULE:
+        return constant >= most;
+    default:
+        return 0;
+    }
+}
+
+/* Whether it is the difference of the constant and the bits, and of that the first bit alone is used: whether the bits are above the
+ * constant.  So clang asks whether a number is a NaN. */
+static int is_sign_of_difference(LLVMValueRef user, LLVMValueRef bits, unsigned width, unsigned long long constant)
+{
+    if (!LLVMIsABinaryOperator(user) || LLVMGetInstructionOpcode(user) != LLVMSub || LLVMGetOperand(user, 1) != bits ||
+        !LLVMIsAConstantInt(LLVMGetOperand(user, 0)) || LLVMConstIntGetZExtValue(LLVMGetOperand(user, 0)) != constant)
+        return 0;
+    for (LLVMUseRef use = LLVMGetFirstUse(user); use != NULL; use = LLVMGetNextUse(use)) {
+        LLVMValueRef shift = LLVMGetUser(use);
+        if (!LLVMIsABinaryOperator(shift) || LLVMGetInstructionOpcode(shift) != LLVMLShr ||
+            LLVMGetOperand(shift, 0) != user || !LLVMIsAConstantInt(LLVMGetOperand(shift, 1)) ||
+            LLVMConstIntGetZExtValue(LLVMGetOperand(shift, 1)) != width - 1)
+            return 0;
+    }
+    return 1;
+}
+
+/* Whether of the bits without their sign it is asked only whether they are those of an infinity or of a NaN, which is the same for all
+ * numbers: 0x7FF0... and 0x7F800000 are those of infinity.  `doubled`: they were shifted to the left, over the sign. */
+static int ask_for_no_number(LLVMValueRef bits, unsigned width, int doubled)
+{
+    unsigned long long infinity = width == 64 ? 0x7FFull << 52 : 0xFFull << 23;
+    unsigned long long most = doubled ? 2 * (infinity - 1) : infinity - 1;
+    for (LLVMUseRef use = LLVMGetFirstUse(bits); use != NULL; use = LLVMGetNextUse(use)) {
+        LLVMValueRef user = LLVMGetUser(use);
+        if (!asks_whether_beyond(user, bits, most) && (doubled || !is_sign_of_difference(user, bits, width, infinity)))
+            return 0;
+    }
+    return 1;
+}
+
 /* Of the bits that are used here: the sign alone ("less than 0"), or all but the sign ("and 0x7FF...", "shl 1"), by which isnan and
  * isfinite are asked. */
 enum { THE_SIGN = 1, ALL_BUT_THE_SIGN = 2 };
@@ -743,13 +795,17 @@ static int part_used(LLVMValueRef user, LLVMTypeRef type)
     LLVMValueRef other = LLVMGetNumOperands(user) == 2 ? LLVMGetOperand(user, 1) : NULL;
     if (other == NULL || !LLVMIsAConstantInt(other))
         return 0;
-    unsigned long long constant = LLVMConstIntGetZExtValue(other), sign = 1ull << (LLVMGetIntTypeWidth(type) - 1);
+    unsigned width = LLVMGetIntTypeWidth(type);
+    unsigned long long constant = LLVMConstIntGetZExtValue(other), sign = 1ull << (width - 1);
     if (LLVMIsAICmpInst(user))
         return LLVMGetICmpPredicate(user) == LLVMIntSLT && constant == 0 ? THE_SIGN : 0;
     if (!LLVMIsABinaryOperator(user))
         return 0;
     LLVMOpcode code = LLVMGetInstructionOpcode(user);
-    return (code == LLVMAnd && constant == sign - 1) || (code == LLVMShl && constant == 1) ? ALL_BUT_THE_SIGN : 0;
+    int doubled = code == LLVMShl && constant == 1;
+    if (!doubled && !(code == LLVMAnd && constant == sign - 1))
+        return 0;
+    return ask_for_no_number(user, width, doubled) ? ALL_BUT_THE_SIGN : 0;
 }
 
 /* The bits of a number as an integer. */

@@ -33,3 +33,15 @@ double every(double x, double y, int n, unsigned m)
 {
     return x + y - x / y + (int)x + (unsigned)y + n + m + (float)(x / 3);
 }
+/* What is asked of the bits of a number: whether it is one, which is the same for all numbers; and what is not. */
+static unsigned long bits_of(double x) { unsigned long bits; __builtin_memcpy(&bits, &x, sizeof bits); return bits; }
+static unsigned bits_of_float(float x) { unsigned bits; __builtin_memcpy(&bits, &x, sizeof bits); return bits; }
+int is_no_number(double x) { return (bits_of(x) & 0x7FFFFFFFFFFFFFFF) > 0x7FF0000000000000; }
+int is_infinite(double x) { return bits_of(x) << 1 == 0xFFE0000000000000; }
+int is_infinite_float(float x) { return (bits_of_float(x) & 0x7FFFFFFF) == 0x7F800000; }
+int is_below_a_third(double x) { return (bits_of(x) & 0x7FFFFFFFFFFFFFFF) < 0x3FD5555555555555; }
+int is_below_a_third_float(float x) { return (bits_of_float(x) & 0x7FFFFFFF) < 0x3EAAAAAB; }
+int is_a_third(double x) { return bits_of(x) << 1 == 0x7FAAAAAAAAAAAAAA; }
+int is_zero(double x) { return bits_of(x) << 1 == 0; }
+int exponent(double x) { return (int)((bits_of(x) & 0x7FFFFFFFFFFFFFFF) >> 52); }
+int is_no_power(double x) { return ((bits_of(x) & 0x7FFFFFFFFFFFFFFF) - 1) >> 52 != 0; }

@@ -17,3 +17,18 @@ double o_assigned(void) { struct three a = {{1.0 / 3, 1, 2}}, b; assign(&b, &a);
 double o_assigned_over_itself(void) { double a[4] = {1, 2, 3, 4}; assign((struct three *)a, (struct three *)(a + 1)); return a[0]; }
 /* = F(15, 4) + 3 + 2 + 5 + 7 + F(7, 6) */
 double o_every(void) { return every(7.0 / 2, 2, 5, 7); }
+int is_no_number(double), is_infinite(double), is_infinite_float(float), is_below_a_third(double), is_below_a_third_float(float), is_a_third(double), is_zero(double), exponent(double), is_no_power(double);
+/* = 111 */
+double o_bits_of_what_is_no_number(void) { double x = 1.0 / 3, i = __builtin_inf(), n = __builtin_nan(""); return is_infinite_float(i) + 10 * is_infinite(-i) + 100 * is_no_number(n) + is_no_number(i) + is_infinite(x) + is_no_number(x) + is_infinite_float(x); }
+/* ! bits of a number */
+double o_bits_below_a_third(void) { return is_below_a_third(1.0 / 4); }
+/* ! bits of a number */
+double o_bits_of_a_float_below_a_third(void) { return is_below_a_third_float(1.0 / 4); }
+/* ! bits of a number */
+double o_bits_of_a_third(void) { return is_a_third(1.0 / 3); }
+/* ! bits of a number */
+double o_bits_of_zero(void) { double x = 1.0 / 3; return is_zero(x - x); }
+/* ! bits of a number */
+double o_bits_of_an_exponent(void) { return exponent(1.0 / 3); }
+/* ! bits of a number */
+double o_bits_less_one(void) { return is_no_power(1.0 / 3); }
