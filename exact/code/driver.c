@@ -21,19 +21,39 @@ int cagd_code_is_cpp(const struct cagd_code_harness *h)
     return 0;
 }
 
+/* In C, exactly: a literal of a whole number ends at 2^64, and so a longer one is written by its digits in the base 2^53, (a * 2^53 + b) * 2^53
+ * + c, each of which is a binary64. */
+static void write_whole(mpz_srcptr n, FILE *out)
+{
+    enum { BITS = 53 };
+    size_t digits = (mpz_sizeinbase(n, 2) + BITS - 1) / BITS;
+    mpz_t digit;
+    mpz_init(digit);
+    if (mpz_sgn(n) < 0 && digits > 1)
+        putc('-', out);
+    for (size_t k = 1; k < digits; k++)
+        putc('(', out);
+    for (size_t k = digits; k-- > 0;) {
+        mpz_tdiv_q_2exp(digit, n, BITS * k);
+        mpz_tdiv_r_2exp(digit, digit, BITS);
+        const char *sign = mpz_sgn(n) < 0 && digits == 1 ? "-" : "";
+        fprintf(out, "%s(double)%s%lu%s", k + 1 < digits ? " * 9007199254740992.0 + " : "", sign, mpz_get_ui(digit),
+                k + 1 < digits ? ")" : "");
+    }
+    mpz_clear(digit);
+}
+
 /* In C: an input, or a number as a quotient of integers. */
 static void write_end(const char *text, FILE *out)
 {
     cagd_region_mark mark = cagd_region_open();
     if (cagd_code_is_number(text)) {
         cagd_num_q q = cagd_from_string_q(text);
-        char *numerator = mpz_get_str(NULL, 10, mpq_numref(q.at)),
-             *denominator = mpz_get_str(NULL, 10, mpq_denref(q.at));
-        fprintf(out, "((double)%s / (double)%s)", numerator, denominator);
-        void (*release)(void *, size_t);
-        mp_get_memory_functions(NULL, NULL, &release);
-        release(numerator, strlen(numerator) + 1);
-        release(denominator, strlen(denominator) + 1);
+        putc('(', out);
+        write_whole(mpq_numref(q.at), out);
+        fputs(" / ", out);
+        write_whole(mpq_denref(q.at), out);
+        putc(')', out);
     } else {
         fputs(text, out);
     }
@@ -66,7 +86,8 @@ static void write_precondition(const struct cagd_code_asked_input *in, FILE *out
 static void write_expectation(const char *text, int line, const char *path, FILE *out)
 {
     const char *equal = strchr(text, '=');
-    char *left = cagd_code_trimmed(text, (size_t)(equal - text)), *right = cagd_code_trimmed(equal + 1, strlen(equal + 1));
+    char *left = cagd_code_trimmed(text, (size_t)(equal - text)),
+         *right = cagd_code_trimmed(equal + 1, strlen(equal + 1));
     int name = (int)strcspn(left, "[");
     long count;
     fprintf(out, "#line %d \"%s\"\n", line, path);
@@ -85,7 +106,8 @@ static void write_expectation(const char *text, int line, const char *path, FILE
 static void write_known(const char *text, int line, const char *path, FILE *out)
 {
     const char *equal = strchr(text, '=');
-    char *place = cagd_code_trimmed(text, (size_t)(equal - text)), *right = cagd_code_trimmed(equal + 1, strlen(equal + 1));
+    char *place = cagd_code_trimmed(text, (size_t)(equal - text)),
+         *right = cagd_code_trimmed(equal + 1, strlen(equal + 1));
     char *bracket = strchr(place, '[');
     long count = bracket != NULL ? strtol(bracket + 1, NULL, 10) : 0;
     place[strcspn(place, "[ \t")] = 0;

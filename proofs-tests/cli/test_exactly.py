@@ -243,6 +243,17 @@ class Verdicts(Exactly):
         self.assertGreater(v["outside"], 0)
         self.assertTrue(all(c["precondition"] or c["implied"] for w in v["ways"] for c in w["conditions"]))
 
+    def test_the_ends_of_a_range_are_of_any_size(self):
+        n = 2**200 + 1
+        for low, high, verdict in [(-n, n, "proved"), ("1/100000000000000000000000", "1e400", "proved"), (f"{n}/7", f"{n}/7", "proved"),
+                                   (-2**63, 2**64 - 1, "proved"), (n, n - 1, "undecided"), (2**53 + 1, 2**53, "undecided")]:
+            with self.subTest(f"[{low}, {high}]"):
+                block = self.BLOCK.replace("x; y", f"x in [{low}, {high}]; y") % "x + y"
+                path = self.harness(block, "double f(double x, double y) { return x + y; }")
+                ran = run(path, "--json")
+                self.assertEqual(ran.stderr, "")
+                self.assertEqual(json.loads(ran.stdout)["blocks"][0]["verdict"], verdict)
+
     def test_what_is_divided_by_is_told(self):
         v = self.verdict(self.BLOCK % "x + y", "double f(double x, double y) { return (x * x - y * y) / (x - y); }")
         self.assertEqual((v["verdict"], v["ways"][0]["not_zero"]), ("proved", ["x-y"]))
