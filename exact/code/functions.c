@@ -76,6 +76,9 @@ static int is_just(value v, long n)
     return !v.special && v.f.at == NULL && v.q.at != NULL && cagd_equal_q(v.q, cagd_from_int_q(n));
 }
 
+static int is_nan(value v) { return v.special && isnan(v.d); }
+static int is_infinite(value v) { return v.special && isinf(v.d); }
+
 /* ---- enclosures ---------------------------------------------------------------------------------------- */
 
 enum { BITS = 320 };
@@ -288,6 +291,38 @@ double cagd_code_lib_cbrt(double x)
     return number(with_error_of(a, cagd_code_constant(negative ? cagd_neg_q(root) : root), cbrt, "cbrt"));
 }
 
+/* A number that is to minus infinity as an exponent what n is: of the same sign, and odd where n is; 0 where it is 0. */
+static double exponent_like(value n)
+{
+    int sign = cagd_code_sign(n);
+    if (sign == 0)
+        return 0;
+    if (n.f.at != NULL || n.q.at == NULL)
+        cagd_code_stop(CAGD_CODE_REFUSED, "pow of minus infinity with an exponent that varies");
+    int is_odd = cagd_is_whole_q(n.q) && mpz_odd_p(mpq_numref(n.q.at));
+    return is_odd ? sign : 2 * sign;
+}
+
+/* x^y where one of the two, or both, is an infinity or a NaN, as C has it.  What it is depends on whether the base is 1 (beside a NaN), on which side of 1
+ * its size is (beside an infinity), or on the sign of the exponent: a condition of the way.  Any other number of which the same is true has the same
+ * power. */
+static double power_beside_infinity(double x, double y)
+{
+    value a = of(x), n = of(y), one = cagd_code_integer(1);
+    double base = a.d, exponent = n.d;
+    if (!a.special && isnan(n.d)) {
+        base = cagd_code_relation(a, one, 1) == 1 ? 1 : 2;
+    } else if (!a.special) {
+        value size = of(cagd_code_lib_fabs(x));
+        base = cagd_code_relation(size, one, 4) == 4 ? 0.5 : cagd_code_relation(size, one, 2) == 2 ? 2 : 1;
+    } else if (!n.special && isnan(a.d)) {
+        exponent = cagd_code_relation(n, zero(), 1) == 1 ? 0 : 1;
+    } else if (!n.special) {
+        exponent = a.d < 0 ? exponent_like(n) : cagd_code_sign(n);
+    }
+    return pow(base, exponent);
+}
+
 double cagd_code_lib_pow(double x, double y)
 {
     value a = of(x), n = of(y);
@@ -296,7 +331,7 @@ double cagd_code_lib_pow(double x, double y)
     if (is_just(n, 0) || (is_just(a, 1) && a.shares == 0))
         return 1;
     if (a.special || n.special)
-        return pow(a.special ? a.d : cagd_code_real(a), n.special ? n.d : cagd_code_real(n));
+        return power_beside_infinity(x, y);
     if (n.f.at != NULL || n.q.at == NULL)
         cagd_code_stop(CAGD_CODE_REFUSED, "pow with an exponent that varies");
     if (cagd_is_whole_q(n.q) && fabs(cagd_to_double_q(n.q)) < 0x1p30)
@@ -320,6 +355,8 @@ double cagd_code_lib_cabs(struct complex_pair z) { return cagd_code_lib_hypot(z.
 double cagd_code_lib_atan2(double y, double x)
 {
     value a = of(y), b = of(x);
+    if (is_nan(a) || is_nan(b))
+        return NAN;
     if (is_just(a, 0) && cagd_code_sign(b) >= 0)
         return 0;
     if (a.special || b.special || cagd_code_sign(b) <= 0)
@@ -352,30 +389,24 @@ long long cagd_code_lib_llround(double x) { return cagd_code_lib_lround(x); }
 long cagd_code_lib_lrint(double x) { return cagd_code_to_integer(cagd_code_lib_rint(x), 64, 1); }
 long long cagd_code_lib_llrint(double x) { return cagd_code_lib_lrint(x); }
 
-static int is_nan(double x)
-{
-    value a = of(x);
-    return a.special && isnan(a.d);
-}
-
 double cagd_code_lib_fmin(double x, double y)
 {
-    if (is_nan(x) || is_nan(y))
-        return is_nan(x) ? y : x;
+    if (is_nan(of(x)) || is_nan(of(y)))
+        return is_nan(of(x)) ? y : x;
     return cagd_code_compare(x, y, 4) ? x : y;
 }
 
 double cagd_code_lib_fmax(double x, double y)
 {
-    if (is_nan(x) || is_nan(y))
-        return is_nan(x) ? y : x;
+    if (is_nan(of(x)) || is_nan(of(y)))
+        return is_nan(of(x)) ? y : x;
     return cagd_code_compare(x, y, 2) ? x : y;
 }
 
 double cagd_code_lib_fdim(double x, double y)
 {
-    if (is_nan(x) || is_nan(y))
-        return is_nan(x) ? x : y;
+    if (is_nan(of(x)) || is_nan(of(y)))
+        return is_nan(of(x)) ? x : y;
     return cagd_code_compare(x, y, 2) ? cagd_code_sub(x, y) : 0;
 }
 
@@ -389,7 +420,7 @@ double cagd_code_lib_copysign(double x, double y)
 static double rest(double x, double y, enum cagd_code_rounding how)
 {
     value a = of(x), b = of(y);
-    if (!a.special && b.special && isinf(b.d))
+    if (!a.special && is_infinite(b))
         return x;
     if (a.special || b.special)
         return fmod(a.special ? a.d : cagd_code_real(a), b.special ? b.d : cagd_code_real(b));
@@ -424,7 +455,7 @@ float cagd_code_lib_fmaf(float x, float y, float z)
 
 double cagd_code_lib_scalbln(double x, long n)
 {
-    if (labs(n) > 100000)
+    if (n < -100000 || n > 100000)
         cagd_code_stop(CAGD_CODE_BOUND, "a power of two beyond 2^100000");
     return cagd_code_mul(x, cagd_code_power(2, (int32_t)n));
 }
@@ -432,15 +463,17 @@ double cagd_code_lib_ldexp(double x, int n) { return cagd_code_lib_scalbln(x, n)
 double cagd_code_lib_scalbn(double x, int n) { return cagd_code_lib_scalbln(x, n); }
 float cagd_code_lib_ldexpf(float x, int n) { return cagd_code_narrow(cagd_code_lib_scalbln(cagd_code_widen(x), n)); }
 
-/* x = m 2^n with 1/2 <= |m| < 1. */
+/* x = m 2^n with 1/2 <= |m| < 1; 0 = 0 2^0. */
 double cagd_code_lib_frexp(double x, int *n)
 {
     value a = of(x);
     *n = 0;
-    if (a.special || is_just(a, 0))
-        return x;
+    if (a.special)
+        cagd_code_stop(CAGD_CODE_REFUSED, "frexp of an infinity or a NaN, whose exponent C does not specify");
     if (a.q.at == NULL)
         cagd_code_stop(CAGD_CODE_REFUSED, "frexp of an interval");
+    if (cagd_code_relation(a, zero(), 1) == 1)
+        return x;
     double size = cagd_code_lib_fabs(x);
     long guess = (long)mpz_sizeinbase(mpq_numref(a.q.at), 2) - (long)mpz_sizeinbase(mpq_denref(a.q.at), 2);
     if (cagd_code_compare(size, cagd_code_power(2, (int32_t)guess), 3))
@@ -456,15 +489,15 @@ double cagd_code_lib_modf(double x, double *whole)
 {
     value a = of(x);
     *whole = cagd_code_lib_trunc(x);
-    return a.special && isinf(a.d) ? 0 : cagd_code_sub(x, *whole);
+    return is_infinite(a) ? 0 : cagd_code_sub(x, *whole);
 }
 
-int cagd_code_lib_isnan(double x) { return is_nan(x); }
-int cagd_code_lib___isnan(double x) { return is_nan(x); }
+int cagd_code_lib_isnan(double x) { return is_nan(of(x)); }
+int cagd_code_lib___isnan(double x) { return is_nan(of(x)); }
 int cagd_code_lib_isinf(double x)
 {
     value a = of(x);
-    return a.special && isinf(a.d) ? (a.d > 0 ? 1 : -1) : 0;
+    return is_infinite(a) ? (a.d > 0 ? 1 : -1) : 0;
 }
 int cagd_code_lib___isinf(double x) { return cagd_code_lib_isinf(x); }
 int cagd_code_lib_finite(double x) { return !of(x).special; }
@@ -480,17 +513,32 @@ struct complex_pair cagd_code_lib_conj(struct complex_pair z)
     return (struct complex_pair){z.re, cagd_code_neg(z.im)};
 }
 
-struct complex_pair cagd_code_lib___muldc3(double a, double b, double c, double d)
+/* (a + bi)(c + di) as the formula has it. */
+static struct complex_pair complex_product(double a, double b, double c, double d)
 {
     return (struct complex_pair){cagd_code_sub(cagd_code_mul(a, c), cagd_code_mul(b, d)),
                                  cagd_code_add(cagd_code_mul(a, d), cagd_code_mul(b, c))};
 }
 
+/* Where the formula has two NaNs and an infinity takes part, C goes another way, to an infinity or to 0 (annex G of its standard). */
+static struct complex_pair unless_infinite(struct complex_pair z, double a, double b, double c, double d)
+{
+    int any = is_infinite(of(a)) || is_infinite(of(b)) || is_infinite(of(c)) || is_infinite(of(d));
+    if (any && is_nan(of(z.re)) && is_nan(of(z.im)))
+        cagd_code_stop(CAGD_CODE_REFUSED, "a product or quotient of complex numbers with an infinity");
+    return z;
+}
+
+struct complex_pair cagd_code_lib___muldc3(double a, double b, double c, double d)
+{
+    return unless_infinite(complex_product(a, b, c, d), a, b, c, d);
+}
+
 struct complex_pair cagd_code_lib___divdc3(double a, double b, double c, double d)
 {
     double size = cagd_code_add(cagd_code_mul(c, c), cagd_code_mul(d, d));
-    struct complex_pair p = cagd_code_lib___muldc3(a, b, c, cagd_code_neg(d));
-    return (struct complex_pair){cagd_code_div(p.re, size), cagd_code_div(p.im, size)};
+    struct complex_pair p = complex_product(a, b, c, cagd_code_neg(d));
+    return unless_infinite((struct complex_pair){cagd_code_div(p.re, size), cagd_code_div(p.im, size)}, a, b, c, d);
 }
 
 /* ---- the same for float and long double ------------------------------------------------------------------------ */
@@ -534,6 +582,8 @@ struct single_pair cagd_code_lib___divsc3(float a, float b, float c, float d)
 /* The root in the right half-plane: with r = |z|, √((r + a)/2) ± i √((r - a)/2), the sign that of the imaginary part. */
 struct complex_pair cagd_code_lib_csqrt(struct complex_pair z)
 {
+    if (of(z.re).special || of(z.im).special)
+        cagd_code_stop(CAGD_CODE_REFUSED, "the square root of a complex number with an infinity or a NaN");
     double r = cagd_code_lib_cabs(z);
     struct complex_pair root = {cagd_code_lib_sqrt(cagd_code_div(cagd_code_add(r, z.re), 2)),
                                 cagd_code_lib_sqrt(cagd_code_div(cagd_code_sub(r, z.re), 2))};

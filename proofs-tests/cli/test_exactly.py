@@ -243,6 +243,13 @@ class Verdicts(Exactly):
         self.assertGreater(v["outside"], 0)
         self.assertTrue(all(c["precondition"] or c["implied"] for w in v["ways"] for c in w["conditions"]))
 
+    def test_a_power_to_infinity_asks_on_which_side_of_1_its_base_is(self):
+        code = "#include <math.h>\ndouble f(double x, double y) { return pow(x, INFINITY) + 0 * y; }"
+        block = self.BLOCK.replace("x; y", "x in (999999/1000000, 3); y")
+        self.assertEqual(self.verdict(block % "__builtin_inf()", code)["verdict"], "differs")
+        v = self.verdict(block % "x > 1 ? __builtin_inf() : x == 1", code)
+        self.assertEqual((v["verdict"], v["paths"]), ("proved", 3))
+
     def test_the_ends_of_a_range_are_of_any_size(self):
         n = 2**200 + 1
         for low, high, verdict in [(-n, n, "proved"), ("1/100000000000000000000000", "1e400", "proved"), (f"{n}/7", f"{n}/7", "proved"),

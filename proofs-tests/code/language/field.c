@@ -72,3 +72,19 @@ double f_sign_beside_an_infinity(void) { return input_x() * INFINITY > 0; }
 double f_sign_below_an_infinity(void) { return INFINITY / input_y() < 0 ? -1 : 1; }
 /* ~ x */
 double f_sign_that_does_not_matter_needs_no_condition(void) { double x = input_x(); return x + INFINITY > 0 && isnan(x * NAN) && isnan(x / NAN) ? x : 0; }
+/* ~ 0 | x < 1 */
+double f_power_to_infinity(void) { return pow(input_x(), INFINITY); }
+/* ~ 1 | -y < 1 */
+double f_power_to_minus_infinity(void) { return pow(input_y(), -INFINITY) == INFINITY; }
+/* ~ 0 | y < 0 */
+double f_power_of_infinity(void) { return pow(INFINITY, input_y()); }
+/* ~ 0 | x > 0 */
+double f_power_of_infinity_above(void) { return pow(INFINITY, input_x()) < INFINITY; }
+/* ~ 1 | x != 1 */
+double f_power_to_no_number(void) { return isnan(pow(input_x(), NAN)); }
+/* ~ 1 | y != 0 */
+double f_power_of_no_number(void) { return isnan(pow(NAN, input_y())); }
+/* ! pow of minus infinity with an exponent that varies */
+double f_power_of_minus_infinity(void) { return pow(-INFINITY, input_x()); }
+/* ~ 0 | (3*x-2)/3 = 0 */
+double f_frexp_at_0(void) { int e; frexp(input_x() - 2.0 / 3, &e); return e; }

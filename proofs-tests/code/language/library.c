@@ -149,3 +149,17 @@ double l_rest_of_what_an_infinity_divides(void) { return fmod(20.0 / 3, INFINITY
 double l_modf_of_an_infinity(void) { double w, f = modf(-INFINITY, &w); return f + (w < 0 && isinf(w)); }
 /* = 11 */
 double l_fdim_of_no_number(void) { return (isnan(fdim(NAN, 1.0 / 3)) != 0) + 10 * (isnan(fdim(1.0 / 3, NAN)) != 0); }
+/* = 1 + 2 + 4 + 8 + 16 + 32 */
+double l_no_number_beside_another(void)
+{
+    volatile double none = NAN, x = 1.0 / 3;
+    return (isnan(atan2(0, none)) != 0) + 2 * (isnan(atan2(none, x)) != 0) + 4 * (hypot(none, -INFINITY) == INFINITY) + 8 * (pow(1, none) == 1) +
+           16 * (pow(none, 0) == 1) + 32 * (isnan(pow(none, x)) && isnan(pow(x, none)) && isnan(hypot(none, x)));
+}
+/* = 1 + 2 + 4 + 8 + 16 + 32 + 64 */
+double l_powers_beside_an_infinity(void)
+{
+    volatile double x = INFINITY, near = 1 - 1.0 / 1000000000 / 1000000000;
+    return (pow(near, x) == 0) + 2 * (pow(-near, -x) == x) + 4 * (pow(-1, x) == 1) + 8 * (pow(1 / near, x) == x) + 16 * (pow(-x, 3) == -x) +
+           32 * (pow(-x, 4) == x && pow(-x, 1.0 / 3) == x) + 64 * (pow(x, -1.0 / 3) == 0 && pow(-x, -3) == 0);
+}

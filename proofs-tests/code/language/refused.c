@@ -277,3 +277,28 @@ double r_abort(void)
 }
 /* ! ended its process */
 double r_exit(void) { exit(7); }
+/* ! does not specify */
+double r_frexp_of_an_infinity(void)
+{
+    int e;
+    frexp(INFINITY, &e); // here
+    return e;
+}
+/* ! complex numbers with an infinity */
+double r_complex_product_with_an_infinity(void)
+{
+    double _Complex z = __builtin_complex((double)INFINITY, (double)NAN), w = z * __builtin_complex(1.0, 1.0); // here
+    return __real__ w;
+}
+/* ! complex number with an infinity */
+double r_complex_root_of_an_infinity(void)
+{
+    double _Complex csqrt(double _Complex);
+    return __real__ csqrt(__builtin_complex(-(double)INFINITY, 1.0)); // here
+}
+/* ! beyond 2^100000 */
+double r_scalbln(void)
+{
+    double x = 1.0 / 3;
+    return scalbln(x, (-0x7FFFFFFFFFFFFFFF - 1)); // here
+}
