@@ -403,6 +403,23 @@ double cagd_code_lib_fmax(double x, double y)
     return cagd_code_compare(x, y, 2) ? x : y;
 }
 
+/* There is no negative zero but the one that is written. */
+static int is_negative_zero(double x) { return x == 0 && signbit(x); }
+
+double cagd_code_minimum(double x, double y)
+{
+    if (is_nan(of(x)) || is_nan(of(y)))
+        return NAN;
+    return cagd_code_compare(x, y, is_negative_zero(x) ? 4 | 1 : 4) ? x : y;
+}
+
+double cagd_code_maximum(double x, double y)
+{
+    if (is_nan(of(x)) || is_nan(of(y)))
+        return NAN;
+    return cagd_code_compare(x, y, is_negative_zero(y) ? 2 | 1 : 2) ? x : y;
+}
+
 double cagd_code_lib_fdim(double x, double y)
 {
     if (is_nan(of(x)) || is_nan(of(y)))

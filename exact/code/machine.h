@@ -21,6 +21,9 @@ double cagd_code_mul(double a, double b);
 double cagd_code_div(double a, double b);
 double cagd_code_neg(double a);
 double cagd_code_power(double a, int32_t n);
+/* LLVM's llvm.minimum and llvm.maximum: a NaN is passed on, and of two zeros the negative one is the smaller. */
+double cagd_code_minimum(double a, double b);
+double cagd_code_maximum(double a, double b);
 
 /* Whether one of the relations holds that the predicate is the sum of: 1 equal, 2 greater, 4 less, 8 unordered. */
 int32_t cagd_code_compare(double a, double b, int32_t predicate);

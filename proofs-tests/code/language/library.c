@@ -163,3 +163,19 @@ double l_powers_beside_an_infinity(void)
     return (pow(near, x) == 0) + 2 * (pow(-near, -x) == x) + 4 * (pow(-1, x) == 1) + 8 * (pow(1 / near, x) == x) + 16 * (pow(-x, 3) == -x) +
            32 * (pow(-x, 4) == x && pow(-x, 1.0 / 3) == x) + 64 * (pow(x, -1.0 / 3) == 0 && pow(-x, -3) == 0);
 }
+double llvm_minimum(double, double) __asm__("llvm.minimum.f64"), llvm_maximum(double, double) __asm__("llvm.maximum.f64");
+float llvm_minimumf(float, float) __asm__("llvm.minimum.f32");
+/* = 1 + 2 + 4 + 8 + 16 */
+double l_minimum_passes_on_what_is_no_number(void)
+{
+    volatile double none = NAN, x = 1.0 / 3, y = 1.0 / 5;
+    return (isnan(llvm_minimum(none, x)) != 0) + 2 * (isnan(llvm_maximum(x, none)) != 0) + 4 * (isnan(llvm_minimumf(x, none)) != 0) +
+           8 * (llvm_minimum(x, y) == y && llvm_minimum(y, x) == y) + 16 * (llvm_maximum(x, y) == x && llvm_maximum(y, x) == x);
+}
+/* = 1 + 2 + 4 + 8 + 16 */
+double l_minimum_knows_a_negative_zero(void)
+{
+    volatile double negative = -0.0, positive = 0.0;
+    return !!signbit(llvm_minimum(negative, positive)) + 2 * !!signbit(llvm_minimum(positive, negative)) + 4 * !signbit(llvm_maximum(negative, positive)) +
+           8 * !signbit(llvm_maximum(positive, negative)) + 16 * (llvm_minimum(negative, -1) == -1 && llvm_maximum(1, negative) == 1);
+}
