@@ -1,4 +1,5 @@
 /* read.c -- expressions: sums, products, powers, fractions, sums over an index, cases. */
+#include "exact/expression/depends.h"
 #include "exact/expression/reader.h"
 #include "exact/words.h"
 
@@ -734,11 +735,11 @@ static const char *known_letter(cagd_reader *r)
     return cagd_refuse_token(r, "%s is not defined", head), NULL;
 }
 
-/* Names and their values: t = a, s = b, or (t, s) = (a, b). */
+/* Names and their values: t = a, s = b, or the point (t, s) = (a, b), where all names get their values at once. */
 struct at {
     const char *head[CAGD_MOST_INDICES];
     const cagd_tree *place[CAGD_MOST_INDICES];
-    int count;
+    int count, is_point;
 };
 
 static int read_places(cagd_reader *r, struct at *a)
@@ -756,6 +757,7 @@ static int read_places(cagd_reader *r, struct at *a)
 
 static int read_point_of_places(cagd_reader *r, struct at *a)
 {
+    a->is_point = 1;
     do {
         if (a->count == CAGD_MOST_INDICES)
             return cagd_refuse_token(r, "a place of more than %d names", CAGD_MOST_INDICES) != NULL;
@@ -769,13 +771,71 @@ static int read_point_of_places(cagd_reader *r, struct at *a)
     return cagd_expect(r, ")", "the values");
 }
 
+/* The first other name of the place on which value k depends; -1 where there is none. */
+static int other_name_in(const cagd_reader *r, const struct at *a, int k)
+{
+    for (int m = 0; m < a->count; m++)
+        if (m != k && cagd_depends_on(r->scope, a->place[k], a->head[m]))
+            return m;
+    return -1;
+}
+
+static void exchange(struct at *a, int j, int k)
+{
+    const char *head = a->head[j];
+    const cagd_tree *place = a->place[j];
+    a->head[j] = a->head[k], a->place[j] = a->place[k];
+    a->head[k] = head, a->place[k] = place;
+}
+
+/* Whether each name has one value, and in the list t = a, s = b, where no bracket says "at once", each value is without the other names. */
+static int is_clear(cagd_reader *r, const struct at *a)
+{
+    for (int k = 0; k < a->count; k++)
+        for (int m = 0; m < k; m++)
+            if (strcmp(a->head[m], a->head[k]) == 0)
+                return cagd_refuse_token(r, "%s has two values at this place", a->head[k]) != NULL;
+    for (int k = 0; k < a->count && !a->is_point; k++) {
+        int other = other_name_in(r, a, k);
+        if (other >= 0)
+            return cagd_refuse_token(r,
+                                     "the value of %s depends on %s, which has one here, too: at once, or one after "
+                                     "another? write a point, (%s, %s) = (a, b), or two places, |_{%s = a}|_{%s = b}",
+                                     a->head[k], a->head[other], a->head[k], a->head[other], a->head[k],
+                                     a->head[other]) != NULL;
+    }
+    return 1;
+}
+
+/* The names get their values one after another, the last one first: where a value is computed, the names behind its own have theirs already.  So
+ * they are put into such an order that no value depends on a name behind its own; where there is none, two depend on one another. */
+static int order_places(cagd_reader *r, struct at *a)
+{
+    for (int k = 0; k < a->count; k++) {
+        struct at left = {.count = a->count - k};
+        memcpy(left.head, a->head + k, (size_t)left.count * sizeof *left.head);
+        memcpy(left.place, a->place + k, (size_t)left.count * sizeof *left.place);
+        int next = 0;
+        while (next < left.count && other_name_in(r, &left, next) >= 0)
+            next++;
+        if (next == left.count)
+            return cagd_refuse_token(r,
+                                     "the values of %s and %s depend on one another at this place: write the value "
+                                     "itself, or give the place other letters",
+                                     left.head[0], left.head[other_name_in(r, &left, 0)]) != NULL;
+        exchange(a, k, k + next);
+    }
+    return 1;
+}
+
 /* The value of t at a place, f|_{x=a}, f|_{x=a, y=b}, f|_{(x,y)=(a,b)}, the bar being passed. */
 static const cagd_tree *at_a_place(cagd_reader *r, const cagd_tree *t, int from)
 {
     struct at a = {.count = 0};
     if (!cagd_expect(r, "_", "the bar") || !cagd_expect(r, "{", "the bar"))
         return NULL;
-    if (!(cagd_pass(r, "(") ? read_point_of_places : read_places)(r, &a) || !cagd_expect(r, "}", "the place"))
+    if (!(cagd_pass(r, "(") ? read_point_of_places : read_places)(r, &a) || !is_clear(r, &a) || !order_places(r, &a) ||
+        !cagd_expect(r, "}", "the place"))
         return NULL;
     if (cagd_next_is(r, "^"))
         return cagd_refuse_token(r,

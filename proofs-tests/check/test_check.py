@@ -1353,6 +1353,16 @@ g_{i,n} = i
                 self.assertEqual(verdict(printed, "n = 1")["verdict"], "holds")
                 self.assertEqual(verdict(printed + " + 1", "n = 1")["verdict"], "fails")
 
+    def test_at_a_point_all_names_get_their_values_at_once(self):
+        """[x + 2y] at (x, y) = (y, 1) was 3: the y that is given to x was 1 already."""
+        let = "G(x, y) = x + 2 y\nw = x + y\n"
+        for printed in ("[x + 2 y]_{(x,y)=(y,1)} = y + 2", "G(x,y)|_{(x,y)=(y,1)} = y + 2", "G(x,y)|_{(y,x)=(1,y)} = y + 2", "G(x,y)|_{(x,y)=(u,x)} = u + 2 x", "[x + 2 y + 4 u]_{(x,y,u)=(y,u,1)} = y + 2 u + 4",
+                        "[x + 2 y + 4 u]_{(u,x,y)=(x,y,1)} = 4 x + y + 2", "\\left. x + 2 y \\right|_{(x,y)=(w,1)} = x + y + 2", "G(x,y)|_{(x,y)=(x+1,y+1)} = x + 2 y + 3", "G(x,y)|_{x=u,y=u} = 3 u",
+                        "\\frac{\\partial}{\\partial x} (x^2 y)|_{(x,y)=(y,3)} = 6 y", "G(x,y)|_{x=y}|_{y=2} = 6"):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1", let)["verdict"], "holds")
+                self.assertEqual(verdict(printed + " + 1", "n = 1", let)["verdict"], "fails")
+
     def test_ranges_behind_a_formula(self):
         """As papers print them; what is before them needs them, so that no relation is taken for a range."""
         unit = "0 \\le t \\le 1"
