@@ -401,6 +401,26 @@ static int field(const struct document *d, int at, int end, const char *key, int
     return 1;
 }
 
+/* In a block each of the fields has one value: a second one is refused, for one of the two would not be read.  So is a second formula, which
+ * :printed: and :from: are. */
+static void refuse_second_fields(struct document *d, int at, int stop)
+{
+    enum { FORMULA };
+    static const char *const key[] = {"printed", "for", "find", "expected", "seconds", "part", "functions", "at"};
+    enum { KEYS = sizeof key / sizeof *key };
+    int seen[KEYS] = {0}, from, to;
+    for (int end; next_entry(d, &at, stop, &end); at = behind(d, end))
+        for (int k = 0; k < KEYS; k++) {
+            if (!field(d, at, end, key[k], &from, &to) && !(k == FORMULA && field(d, at, end, "from", &from, &to)))
+                continue;
+            int again = seen[k]++ > 0;
+            if (again && k == FORMULA)
+                complain(d, at, from, "a second formula of this statement: each has a block of its own");
+            else if (again)
+                complain(d, at, from, "a second line :%s: of this block: expected one, with all that it says", key[k]);
+        }
+}
+
 /* A function that every text has, under the letters of this one: the lines that it stands for are read. */
 static void read_use(struct document *d, int from, int to)
 {
@@ -1013,6 +1033,7 @@ static void read_statement(struct document *d, const char *kind, int head, int a
     f->name = cagd_text_of(d->text + name, name_end - name);
     if (name == name_end)
         complain(d, head, end_of_line(d, head), "a statement without a name");
+    refuse_second_fields(d, at, stop);
     if (is_printed)
         read_print(d, f, head, inside, stop, &printed, &printed_end);
     for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
@@ -1175,6 +1196,7 @@ static void read_sheet(struct document *d, int head, int at, int stop)
     s->name = cagd_text_of(d->text + name, name_end - name);
     if (name == name_end)
         complain(d, head, end_of_line(d, head), "a basis without a name");
+    refuse_second_fields(d, at, stop);
     for (int end; next_entry(d, &at, stop, &end); at = behind(d, end)) {
         int known = d->text[at] != ':', a, b;
         for (int k = 0; k < KEYS; k++)

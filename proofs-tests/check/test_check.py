@@ -2257,6 +2257,24 @@ class Mistakes(unittest.TestCase):
             if is_refused:
                 self.assertIn("it was defined already, so that this line would mean nothing", r.stderr)
 
+    def test_a_second_line_of_one_field(self):
+        """Of two formulas the first was not decided, of two lines of ranges the first was forgotten."""
+        let = ":::{let}\nx \\in \\mathbb{R}\nb_i(t) = t^i\n:::\n"
+        statement, basis = ":::{statement} s\n%s:::\n", ":::{basis} s\n:functions: b_i(t)\n:for: i = 0..2, 0 \\le t \\le 1\n%s:::\n"
+        again = "a second line :%s: of this block: expected one, with all that it says"
+        for block, lines, line, says in ((statement, ":printed: x = x + 1\n:printed: x = x\n", 7, "a second formula of this statement: each has a block of its own"),
+                                         (statement, ":for: x > 0\n:for: n = 1..3\n:printed: x^n > 0\n", 7, again % "for"),
+                                         (statement, ":printed: x = 1\n:expected: holds\n:source: here\n:source: there\n:expected: fails\n", 10, again % "expected"),
+                                         (statement, ":printed: x = 1\n:find: x\n:find: x\n", 8, again % "find"), (statement, ":printed: x = 1\n:seconds: 1\n\n:seconds: 2\n", 9, again % "seconds"),
+                                         (statement, ":printed: x = 1\n:from: paper.tex eq:a\n", 7, "a second formula of this statement: each has a block of its own"),
+                                         (basis, ":for: i = 0..1\n", 8, again % "for"), (basis, ":functions: b_i(t)\n", 8, again % "functions"), (basis, ":at: 1\n:at: 2\n", 9, again % "at")):
+            with self.subTest(lines=lines):
+                r = check(let + block % lines)
+                self.assertEqual((r.returncode, r.stdout), (2, ""))
+                self.assertIn(f"cagd: standard input:{line}:1: {says}\n", r.stderr)
+        r = check(let + statement % ":source: a\n:source: b\n:title: c\n:title: d\n:printed: x = x\n")
+        self.assertEqual((r.returncode, r.stderr), (0, ""))
+
     def test_files_of_other_systems(self):
         """Lines that end with a carriage return, a mark of UTF-8 at the beginning, tabs."""
         text = document("\tx + y = y + x")
