@@ -19,7 +19,9 @@ enum {
     MOST_WORK = 1 << 26,
 #endif
     EACH_CALL = 20, /* work besides the bytes */
-    LONGEST_COMMAND = 200
+    LONGEST_COMMAND = 200,
+    MOST_LEVELS = 1000, /* of braces inside of one another      */
+    MOST_ELSES = 100    /* of \iffalse ... \else inside of one another */
 };
 
 /* A piece of text: of the source, whose bytes come from where they stand, or of an expansion, where from[] says it. */
@@ -38,8 +40,20 @@ struct command {
     struct command *next;
 };
 
+/* A brace or bracket that is open, and how many arguments are awaited behind its end. */
+struct level {
+    char close;
+    int awaited;
+};
+
 struct expansion {
     struct command *shelf[SHELVES];
+    struct level level[MOST_LEVELS];
+    int levels;
+    int awaited;                /* so many arguments of the last \frac or \mathbf are still to come */
+    int option;                 /* so many come behind an option, if one stands next: 1 of \sqrt     */
+    const char *fi[MOST_ELSES]; /* the \fi behind the \else of an \iffalse: they are passed over     */
+    int fis;
     cagd_latex_text *out;
     cagd_latex *troubles;
     int calls, limit; /* of the outermost command: what it called, and how large the text may get */
@@ -499,17 +513,147 @@ static int behind_verb(const struct slice *t, int k)
     return end != NULL ? (int)(end - t->s) + 1 : t->n;
 }
 
-/* \iffalse ... \fi, with others inside: behind it. */
-static int behind_fi(const struct slice *t, int k)
+/* Whether a conditional of TeX stands at a..b, which ends with \fi.  These begin alike and have no \fi. */
+static int is_conditional(const struct slice *t, int a, int b)
 {
-    for (int next, depth = 1; k < t->n; k = next) {
+    static const char *const others[] = {"\\iff",        "\\ifthenelse", "\\ifbool",      "\\iftoggle",
+                                         "\\ifdef",      "\\ifundef",    "\\ifblank",     "\\ifstrequal",
+                                         "\\ifstrempty", "\\ifdefempty", "\\ifdefstring", "\\ifcsdef"};
+    if (b - a <= 3 || memcmp(t->s + a, "\\if", 3) != 0)
+        return 0;
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        if (is_word(t, a, b, others[k]))
+            return 0;
+    return 1;
+}
+
+/* From k on: the \fi that belongs to what began before k, others being inside, goes to a..b; so does the \else before it, where `asked`.  0 where there is none. */
+static int end_of_conditional(struct expansion *x, const struct slice *t, int k, int asked, int *a, int *b)
+{
+    for (int next, depth = 0; k < t->n && ++x->work < MOST_WORK; k = next) {
         next = t->s[k] == '%' ? behind_comment(t, k) : behind_token(t, k);
-        depth += next - k > 3 && memcmp(t->s + k, "\\if", 3) == 0;
-        depth -= is_word(t, k, next, "\\fi");
-        if (depth == 0)
-            return next;
+        int is_fi = is_word(t, k, next, "\\fi");
+        if (depth == 0 && (is_fi || (asked && is_word(t, k, next, "\\else")))) {
+            *a = k, *b = next;
+            return 1;
+        }
+        depth += is_conditional(t, k, next) - is_fi;
     }
-    return t->n;
+    return 0;
+}
+
+/* \iffalse ... \fi and \iffalse ... \else, which is at a..b up to \iffalse: behind them.  What stands behind \else is read, and the \fi behind it passed over. */
+static int behind_false(struct expansion *x, const struct slice *t, int a, int b, int depth)
+{
+    int from, to, fi, behind;
+    if (!end_of_conditional(x, t, b, 1, &from, &to)) {
+        if (depth == 0)
+            cagd_latex_refuse(x->troubles, from_of(t, a), from_of(t, b - 1) + 1,
+                              "this \\iffalse does not end: expected \\fi");
+        return t->n;
+    }
+    if (is_word(t, from, to, "\\fi"))
+        return to;
+    if (!end_of_conditional(x, t, to, 0, &fi, &behind) || x->fis == MOST_ELSES) {
+        cagd_latex_refuse(x->troubles, from_of(t, from), from_of(t, to - 1) + 1,
+                          x->fis == MOST_ELSES ? "more than 100 \\else inside of one another"
+                                               : "this \\else does not end: expected \\fi");
+        return t->n;
+    }
+    x->fi[x->fis++] = t->s + fi;
+    return to;
+}
+
+/* Whether the \fi at a is one that is passed over. */
+static int is_passed_over(struct expansion *x, const struct slice *t, int a)
+{
+    for (int k = x->fis; k > 0; k--)
+        if (x->fi[k - 1] == t->s + a) {
+            x->fis = k - 1;
+            return 1;
+        }
+    return 0;
+}
+
+/* ---- arguments without braces ------------------------------------------------------------------------------ */
+
+/* How many arguments the command at a..b takes as TeX's macros do: a command of the author that stands there without braces is one argument, whatever it stands
+ * for.  0 for others, among them ^ and accents, which take of what it stands for the first token. */
+static int arguments_of(const struct slice *t, int a, int b)
+{
+    static const char *const of_two[] = {"\\frac",  "\\dfrac",  "\\tfrac",  "\\cfrac",   "\\nicefrac", "\\sfrac",
+                                         "\\binom", "\\dbinom", "\\tbinom", "\\overset", "\\underset", "\\stackrel"};
+    static const char *const of_one[] = {"\\mathbf",     "\\mathrm",    "\\mathit",      "\\mathcal", "\\mathbb",
+                                         "\\mathfrak",   "\\mathscr",   "\\mathsf",      "\\mathtt",  "\\bm",
+                                         "\\pmb",        "\\text",      "\\boldsymbol",  "\\boxed",   "\\underline",
+                                         "\\underbrace", "\\overbrace", "\\operatorname"};
+    for (size_t k = 0; k < sizeof of_two / sizeof *of_two; k++)
+        if (is_word(t, a, b, of_two[k]))
+            return 2;
+    for (size_t k = 0; k < sizeof of_one / sizeof *of_one; k++)
+        if (is_word(t, a, b, of_one[k]))
+            return 1;
+    return 0;
+}
+
+static void open_level(struct expansion *x, char close, int awaited, int from)
+{
+    if (x->levels == MOST_LEVELS) {
+        cagd_latex_refuse(x->troubles, from, from + 1, "more than 1000 braces inside of one another");
+        x->levels = 0;
+    }
+    x->level[x->levels++] = (struct level){close, awaited};
+    x->awaited = x->option = 0;
+}
+
+/* With a brace end the brackets inside of it that did not. */
+static void close_level(struct expansion *x, char close)
+{
+    x->awaited = x->option = 0;
+    while (x->levels > 0) {
+        const struct level *last = &x->level[--x->levels];
+        if (last->close == close) {
+            x->awaited = last->awaited;
+            return;
+        }
+    }
+}
+
+/* What the character that comes out next is to the command whose arguments are awaited. */
+static void count_character(struct expansion *x, char c, int from)
+{
+    if (c == '{') {
+        open_level(x, '}', x->awaited > 0 ? x->awaited - 1 : 0, from);
+    } else if (c == '[' && x->option > 0) {
+        open_level(x, ']', x->option, from);
+    } else if (c == '}' || (c == ']' && x->levels > 0 && x->level[x->levels - 1].close == ']')) {
+        close_level(x, c);
+    } else if (!is_blank(c)) {
+        x->awaited -= x->awaited > 0;
+        x->option = 0;
+    }
+}
+
+/* A command of the author where an argument is awaited: \frac\lt2 is \frac{\lt}2.  It gets no arguments of its own there. */
+static int call_as_argument(struct expansion *x, const struct slice *t, struct command *c, int a, int b, int depth)
+{
+    struct slice alone = part_of(t, a, b);
+    int from = from_of(t, a), size = x->out->size;
+    if (c->parameters > c->has_optional) {
+        cagd_latex_refuse(
+            x->troubles, from, from_of(t, b - 1) + 1,
+            "as an argument this command gets none of its own: expected braces around it and its arguments");
+        return -1;
+    }
+    cagd_latex_put(x->out, '{', from);
+    count_character(x, '{', from);
+    int end = depth == 0 ? outermost(x, &alone, c, 0, b - a) : call(x, &alone, c, 0, b - a, depth);
+    if (end < 0)
+        x->out->size = size;
+    else
+        cagd_latex_put(x->out, '}', from);
+    close_level(x, '}');
+    return end < 0 ? -1 : b;
 }
 
 /* The command at a..b; what is behind it and what it takes. */
@@ -519,7 +663,9 @@ static int expand_command(struct expansion *x, const struct slice *t, int a, int
     if (end > 0)
         return end;
     if (is_word(t, a, b, "\\iffalse"))
-        return behind_fi(t, b);
+        return behind_false(x, t, a, b, depth);
+    if (is_word(t, a, b, "\\fi") && is_passed_over(x, t, a))
+        return b;
     if (depth == 0 && is_word(t, a, b, "\\verb"))
         return behind_verb(t, b);
     if (depth == 0 && is_word(t, a, b, "\\begin") && (end = behind_verbatim(t, a)) > 0)
@@ -529,11 +675,18 @@ static int expand_command(struct expansion *x, const struct slice *t, int a, int
     if (depth == 0 && is_word(t, a, b, "\\end") && t->n - b >= 10 && memcmp(t->s + b, "{document}", 10) == 0)
         return t->n;
     struct command *c = x->in_body ? command_of(x, t, a, b) : NULL;
-    end = c == NULL ? -1 : depth == 0 ? outermost(x, t, c, a, b) : call(x, t, c, a, b, depth);
+    x->option = 0;
+    if (c != NULL && x->awaited > 0)
+        end = call_as_argument(x, t, c, a, b, depth);
+    else
+        end = c == NULL ? -1 : depth == 0 ? outermost(x, t, c, a, b) : call(x, t, c, a, b, depth);
     if (end >= 0)
         return end;
     struct slice word = part_of(t, a, b);
     put_apart(x->out, &word);
+    int arguments = arguments_of(t, a, b);
+    x->awaited = arguments > 0 ? arguments : x->awaited > 0 ? x->awaited - 1 : 0;
+    x->option = is_word(t, a, b, "\\sqrt") ? 1 : is_word(t, a, b, "\\cfrac") ? 2 : 0;
     return b;
 }
 
@@ -553,10 +706,14 @@ static int expand_note(struct expansion *x, const struct slice *t, int k, int de
     put_slice(x->out, t, k, said + 1);
     size = x->out->size;
     struct slice words = part_of(t, said + 1, end);
+    int awaited = x->awaited, option = x->option, levels = x->levels;
     x->in_body = 1; /* before \begin{document}, too */
     x->in_note = 1;
+    x->awaited = x->option = 0;
     expand(x, &words, 0);
     x->in_body = in_body, x->in_note = 0;
+    x->awaited = awaited, x->option = option;
+    x->levels = levels;
     for (; size < x->out->size; size++)
         if (x->out->bytes[size] == '\n')
             x->out->bytes[size] = ' ';
@@ -579,6 +736,7 @@ static void expand(struct expansion *x, const struct slice *t, int depth)
             apart = 1;
         } else {
             struct slice token = part_of(t, k, next);
+            count_character(x, t->s[k], from_of(t, k));
             if (apart)
                 put_apart(x->out, &token);
             else

@@ -82,6 +82,14 @@ COMMANDS = [
     ("\\NewDocumentCommand{\\pr}{m m}{#1 #2}", "\\pr{x}{y} = y x", "\\pr{x}{y} = y"),
     ("\\let\\al=\\lambda\n\\let\\R\\mathbb", "\\al - \\al = 0", "\\al - 2 \\al = 0"),
     ("\\providecommand{\\k}{1}\\providecommand{\\k}{2}", "\\k = 1", "\\k = 2"),
+    ("\\newcommand{\\lx}{\\lambda x}", "\\frac\\lx2 = \\lambda x / 2", "\\frac\\lx2 = 2 \\lambda / x"),
+    ("\\newcommand{\\lx}{\\lambda x}", "\\frac{\\dfrac\\lx2}\\lx \\lx = \\lambda x / 2 \\text{ for } \\lx > 0", "\\dfrac % two\n\\lx\\lx \\lx = \\lambda^2 \\text{ for } \\lx > 0"),
+    ("\\newcommand{\\N}{12}", "\\frac\\N 3 + \\frac1\\N = \\frac{49}\\N", "\\frac\\N 3 = \\frac{2}{3}"),
+    ("\\newcommand{\\N}{12}", "\\binom\\N2 = 66", "\\binom\\N2 = 0"),
+    ("\\let\\f\\frac\\newcommand{\\lx}{\\lambda x}\\newcommand{\\g}{\\f\\lx}", "\\f\\lx2 + \\g2 = \\lambda x", "\\g2 = 2 \\lambda / x"),
+    ("\\newcommand{\\q}[2]{\\frac#1#2}\\newcommand{\\lx}[1][\\lambda]{#1 x}", "\\q\\lx2 = \\lambda x / 2", "\\q\\lx2 = 2 \\lambda / x"),
+    ("\\newcommand{\\N}{27}", "\\sqrt[3]\\N = 3", "\\sqrt[3]\\N = 2"),
+    ("\\newcommand{\\lx}{x + \\lambda}", "\\underbrace\\lx_{u} y = x y + \\lambda y", "\\underbrace\\lx_{u} y = x + \\lambda y"),
     ("\\newcommand{\\D}{\\mathrm{d}}", "\\int_0^1 t^2 \\D t = \\frac13", "\\int_0^1 t^2 \\D t = \\frac12"),
 ]
 # Formulas: true, and changed in one place.
@@ -118,6 +126,9 @@ MISTAKES = [
     ("\\newcommand{\\w}{\\w x}\\[ x = \\w % cagd: statement a\n\\]", "7:29", "the expansion of this command does not end"),
     ("\\newcommand{\\w}{\\v\\v}\\newcommand{\\v}{\\w\\w}\\[ x = \\w % cagd: statement a\n\\]", None, "the expansion of this command does not end"),
     ("\\newcommand{\\w}[1]{#1#1}\\[ x = \\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{\\w{x}}}}}}}}}}}}}}}}}} % cagd: statement a\n\\]", None, ""),
+    ("\\newcommand{\\w}[1]{#1^2}\\[ x = \\frac\\w{x}2 % cagd: statement a\n\\]", "7:37", "as an argument this command gets none of its own"),
+    ("text \\iffalse \\[ x = 1 \\]", "7:6", "this \\iffalse does not end"),
+    ("\\iffalse a \\else \\[ x = 1 \\]", "7:12", "this \\else does not end"),
     ("\\newcommand{\\w}[2]{#1#2}\\[ x = \\w % cagd: statement a\n\\]", None, ""),
     ("\\begin{align} x &= x \\end{align}\n% cagd: statement a\n \\[ \\]", "8:9", "no formula follows"),
     ("\\[ \\] % cagd: statement a", "7:15", "no formula follows"),
@@ -247,6 +258,16 @@ class Reading(unittest.TestCase):
     def test_what_is_switched_off_is_not_there(self):
         found = verdicts(source("\\newcommand{\\k}{2}\\iffalse\\renewcommand{\\k}{3}\\ifx a b \\fi \\begin{equation}\\label{z} 1 = 2 \\end{equation}\\fi\n\\begin{equation}\\label{a} \\k = 2 \\end{equation}"))
         self.assertEqual(found, {"a": "holds"})
+
+    def test_what_stands_behind_else_is_there(self):
+        equation = lambda name: f"\\begin{{equation}}\\label{{{name}}} 1 = 2 \\end{{equation}}\n"
+        for body, names in (("\\iffalse @a\\else @b\\fi @c", "bc"), ("\\iffalse @a\\fi @c", "c"), ("\\iffalse \\begin{equation} x = 1 \\iff x = 1 \\end{equation}\\fi @c", "c"),
+                            ("\\iffalse \\ifx a b @z\\else \\fi @a\\else @b\\fi @c", "bc"), ("\\iffalse @a\\else @b\\iffalse @d\\else @e\\fi @f\\fi @c", "befc"),
+                            ("\\iffalse % \\fi \\else\n@a\\fi @c", "c"), ("\\iffalse \\ifthenelse{a}{b}{c} @a\\fi @c", "c")):
+            with self.subTest(body=body):
+                text = "".join(equation(piece[0]) + piece[1:] if k > 0 else piece for k, piece in enumerate(body.split("@")))
+                self.assertEqual(verdicts(source(text)), {name: "fails" for name in names})
+        self.assertEqual(verdicts(source("\\begin{equation}\\label{a} x \\iffalse + 1 \\else + 2 \\fi = x + 2 \\end{equation}")), {"a": "holds"})
 
     def test_a_system_in_an_array(self):
         """As it was printed before amsmath: rows of definitions in a brace, and ranges behind formulas."""

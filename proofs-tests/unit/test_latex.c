@@ -30,6 +30,20 @@ static void sources_are_expanded(void **state)
         {"\\newcommand{\\f}[1]{<#1>}\\f\\{b", "<\\{>b"},
         {"\\newcommand{\\f}[2][z]{#1-#2}\\f{a}\\f[b]{c}", "z-ab-c"},
         {"\\def\\h{x}1\\h 2\\h", "1x 2x"},
+        /* where a macro of TeX awaits an argument, a command is a whole one; to ^ and \sqrt it is what it stands for */
+        {"\\def\\h{xy}\\frac\\h2", "\\frac{xy}2"},
+        {"\\def\\h{xy}\\frac2\\h\\h", "\\frac2{xy}xy"},
+        {"\\def\\h{xy}\\frac{2}\\h\\h", "\\frac{2}{xy}xy"},
+        {"\\def\\h{xy}\\frac{\\h{\\h}\\h}\\h\\h", "\\frac{xy{xy}xy}{xy}xy"},
+        {"\\def\\h{xy}\\frac\\mathbf\\h\\h", "\\frac\\mathbf{xy}xy"},
+        {"\\def\\h{xy}\\sqrt\\h^\\h\\hat\\h", "\\sqrt xy^xy\\hat xy"},
+        {"\\def\\h{xy}\\sqrt[\\h]\\h\\h", "\\sqrt[xy]{xy}xy"},
+        {"\\def\\h{xy}\\sqrt[{]}\\h]\\h\\h", "\\sqrt[{]}xy]{xy}xy"},
+        {"\\def\\h{xy}\\cfrac[l]\\h\\h\\h", "\\cfrac[l]{xy}{xy}xy"},
+        {"\\def\\h{xy}\\def\\f{\\frac}\\def\\g{\\f\\h}\\g\\h\\h", "\\frac{xy}{xy}xy"},
+        {"\\def\\h{\\frac1}\\frac\\h2", "\\frac{\\frac1}2"},
+        {"\\iffalse a\\else b\\fi c", " b c"},
+        {"\\iffalse a\\ifx\\else\\fi\\else b\\iffalse d\\else\\ifx e\\else\\fi\\fi\\fi\\fi", " b\\ifx e\\else\\fi\\fi"},
     };
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         cagd_latex_text out = {0};
