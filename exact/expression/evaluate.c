@@ -22,7 +22,22 @@ cagd_value cagd_fail(cagd_context *c, const cagd_tree *t, unsigned fault, const 
 {
     if (c->trouble == NULL && region_faults == 0)
         c->trouble = why, c->where = t;
+    if (region_faults == 0)
+        c->undefined_otherwise = fault == FAULT_UNDEFINED;
     region_faults |= fault;
+    return cagd_value_int(0);
+}
+
+cagd_value cagd_divides_by_0(cagd_context *c, const cagd_tree *t)
+{
+    int first = region_faults == 0, alone = first || (region_faults == FAULT_UNDEFINED && !c->undefined_otherwise);
+    if (c->passes_divisions && alone) {
+        region_faults = 0;
+        return cagd_value_int(0);
+    }
+    cagd_fail(c, t, FAULT_UNDEFINED, "a division by 0");
+    if (first)
+        c->undefined_otherwise = 0;
     return cagd_value_int(0);
 }
 
@@ -661,30 +676,43 @@ static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
         return cagd_fail(c, t, FAULT_UNABLE, "a divisor that can be 0");
     if (!cagd_note_divisor(c, b))
         return cagd_fail(c, t, FAULT_UNABLE, "too many divisors");
-    return cagd_is_zero_at_roots(c, b) ? cagd_fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_div(a, b);
+    return cagd_is_zero_at_roots(c, b) ? cagd_divides_by_0(c, t) : cagd_value_div(a, b);
 }
 
-/* With 0/0 = 0 said, a factor that is divided by 0 is not asked for beside another that is 0. */
+/* Whether t, of which the value was just asked for, has none because of divisions by 0 alone: with 0 in their place it has one.  Then it is as if it had not been asked
+ * for; else what is wrong besides is known. */
+static int is_divided_by_0_alone(cagd_context *c, const cagd_tree *t, const frame *f, const char *trouble,
+                                 const cagd_tree *where)
+{
+    if (region_faults != FAULT_UNDEFINED || c->undefined_otherwise || c->passes_divisions)
+        return 0;
+    region_faults = 0, c->trouble = trouble, c->where = where;
+    c->passes_divisions = 1;
+    evaluate(c, t, f);
+    c->passes_divisions = 0;
+    return region_faults == 0;
+}
+
+/* With 0/0 = 0 said, a factor that is divided by 0 is not asked for beside another that is 0; one that is undefined for another reason is. */
 static cagd_value product(cagd_context *c, const cagd_tree *t, const frame *f)
 {
     cagd_value r = cagd_value_int(1);
-    unsigned faults = 0;
     const char *trouble = c->trouble;
+    const cagd_tree *where = c->where, *divided = NULL;
     for (int k = 0; k < t->count; k++) {
+        c->undefined_otherwise = 0;
         cagd_value x = evaluate(c, t->at[k], f);
-        if (region_faults == FAULT_UNDEFINED && c->scope->zero_over_zero) {
-            faults |= region_faults;
-            region_faults = 0;
+        const cagd_tree *failed = c->where;
+        if (region_faults != 0 && c->scope->zero_over_zero && is_divided_by_0_alone(c, t->at[k], f, trouble, where)) {
+            divided = divided != NULL ? divided : failed;
             continue;
         }
         if (region_faults != 0)
             return x;
         r = cagd_value_mul(r, x);
     }
-    if (faults != 0 && cagd_equal_here(c, r, cagd_value_int(0)))
-        c->trouble = trouble;
-    else
-        region_faults |= faults;
+    if (divided != NULL && !cagd_equal_here(c, r, cagd_value_int(0)))
+        return cagd_divides_by_0(c, divided);
     return r;
 }
 

@@ -144,11 +144,13 @@ typedef struct cagd_context {
     int supposed;         /* of so many names the conditions for every index are among the limits */
     cagd_memo memo[CAGD_MOST_MEMOS];
     int memos;
-    int met_joint;       /* a condition changed where a derivative was taken                                  */
-    int divided_beside;  /* where a derivative was taken something was divided by that depends on the variable */
-    int omits_poles;     /* a divisor can be 0, and nothing is said of that                               */
-    int fits_none;       /* no definition of a name fitted                                                */
-    cagd_num_f *divisor; /* where it is not NULL, divisors that are no numbers are written there, at most so many */
+    int met_joint;           /* a condition changed where a derivative was taken                                  */
+    int divided_beside;      /* where a derivative was taken something was divided by that depends on the variable */
+    int omits_poles;         /* a divisor can be 0, and nothing is said of that                               */
+    int fits_none;           /* no definition of a name fitted                                                */
+    int undefined_otherwise; /* the last value was undefined for another reason than a division by 0 */
+    int passes_divisions;    /* a division by 0 is taken for 0: it is asked whether something else is undefined */
+    cagd_num_f *divisor;     /* where it is not NULL, divisors that are no numbers are written there, at most so many */
     int divisors, most_divisors;
     int tells_poles; /* more than so many are poles that are left out; otherwise they are UNABLE        */
     cagd_num_f whole
@@ -197,6 +199,7 @@ int cagd_compare_values(cagd_context *c, cagd_value a, cagd_relation relation, c
 
 /* Notes the first trouble, at that part of the formula; the value means nothing. */
 cagd_value cagd_fail(cagd_context *c, const cagd_tree *t, unsigned fault, const char *why);
+cagd_value cagd_divides_by_0(cagd_context *c, const cagd_tree *t);
 /* "\omega_3^{2}": the name with the values of its indices; 0 where there is none. */
 int cagd_key_of(cagd_context *c, const cagd_tree *t, const cagd_frame *f, char key[], int room);
 

@@ -55,7 +55,7 @@ static cagd_value derived(cagd_context *c, const cagd_tree *t, cagd_value F, num
     if (region_faults == 0)
         g = substitute_f(g, x, cagd_in_field(a));
     if (region_faults != 0)
-        return cagd_fail(c, t, FAULT_UNDEFINED, "a division by 0");
+        return cagd_divides_by_0(c, t);
     return cagd_value_f(g);
 }
 
@@ -170,7 +170,7 @@ cagd_value cagd_derivative_by_angle(cagd_context *c, const cagd_tree *t, const c
         cagd_evaluate_in(c, body, f);
     else if (region_faults == 0)
         value_at(c, t, NULL, value, here, f);
-    return region_faults != 0 ? cagd_fail(c, t, FAULT_UNDEFINED, "a division by 0") : cagd_value_f(g);
+    return region_faults != 0 ? cagd_divides_by_0(c, t) : cagd_value_f(g);
 }
 
 /* The k-th derivative at a, from one side: of the name t by its first argument, value[] being all of them, or of the body by the letter of

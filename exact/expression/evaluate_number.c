@@ -41,7 +41,7 @@ cagd_value cagd_power_value(cagd_context *c, const cagd_tree *t, const cagd_fram
                                "\\dots' makes it one"
                              : "an exponent is a whole number, at most 1000");
     if (e < 0 && cagd_is_zero_at_roots(c, base))
-        return cagd_fail(c, t, FAULT_UNDEFINED, "a division by 0");
+        return cagd_divides_by_0(c, t);
     if (e < 0 && !cagd_note_divisor(c, base))
         return cagd_fail(c, t, FAULT_UNABLE, "too many divisors");
     for (long m = e < 0 ? -e : e; m > 0; m /= 2) {

@@ -1453,6 +1453,17 @@ g_{i,n} = i
         """With 0/0 = 0 a factor that is divided by 0 is not asked for beside a factor 0, and beside another one it is."""
         self.assertEqual(verdict("\\frac{1}{0} \\cdot 3 = 3", "n = 1", "0/0 = 0\n")["verdict"], "undecided")
         self.assertEqual(verdict("\\frac{1}{0} \\cdot 0 = 0", "n = 1", "0/0 = 0\n")["verdict"], "holds")
+        let = "0/0 = 0\ng_0(t) = t\nh(t) = \\begin{cases} 1 & t > 0 \\end{cases}\n"
+        for printed, why in (("0 \\cdot (-1)! = 0", "the factorial of a negative number"), ("(-1)! \\frac10 0 = 0", "the factorial of a negative number"), ("0 \\cdot g_3(1) = 0", "no definition fits"),
+                             ("0 \\cdot h(-1) = 0", "none of the cases"), ("0 \\cdot \\max_{i=1}^{0} i = 0", "the greatest or smallest of nothing"), ("0 \\cdot g_3'(1) = 0", "no definition fits"),
+                             ("0 \\cdot (\\frac10 + (-1)!) = 0", "the factorial of a negative number"), ("0 \\cdot ((-1)! + \\frac10) = 0", "the factorial of a negative number"), ("0 \\cdot \\frac{g_3(1)}{0} = 0", "no definition fits")):
+            with self.subTest(printed=printed):
+                s = verdict(printed, "n = 1", let)
+                self.assertEqual(s["verdict"], "undecided")
+                self.assertIn(why, json.dumps(s))
+        for printed in ("0 \\cdot (0 \\cdot \\frac10 + \\frac30) = 0", "0 \\cdot 0^{-1} = 0", "0 \\cdot (\\frac10 \\cdot \\frac20) = 0", "(x - x) \\frac{x}{x - x} + \\frac00 = 0", "0 \\cdot g_0(\\frac10) = 0"):
+            with self.subTest(printed=printed):
+                self.assertEqual(verdict(printed, "n = 1", let)["verdict"], "holds")
 
     def test_which_definition_fits_depends_on_a_name(self):
         self.assertEqual(verdict("c_x = 2", "n = 1", "c_0 = 1\nc_i = 2\n")["verdict"], "undecided")
