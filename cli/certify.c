@@ -3,6 +3,7 @@
 #include "cli/digest.h"
 #include "cli/output.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,6 +19,28 @@ int certify_begin(struct certifying *c, const char *folder, const char *part)
             return -1;
     }
     return 0;
+}
+
+static int is_taken(const struct certifying *c, const char *name)
+{
+    for (size_t k = 0; k < json_array_size(c->claims); k++) {
+        const json_t *claim = json_object_get(json_array_get(c->claims, k), "claim");
+        if (strcmp(json_string_value(claim), name) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+/* Where it is taken, with the first number behind it, from that of the claim on, for which it is not. */
+void certified_name(const struct certifying *c, const char *name, char text[CERTIFIED_NAME])
+{
+    enum { LONGEST = 200 };
+    size_t n = 0;
+    for (; n < LONGEST && name[n] != '\0'; n++)
+        text[n] = isalnum((unsigned char)name[n]) || (n > 0 && strchr("-_.", name[n]) != NULL) ? name[n] : '-';
+    text[n] = '\0';
+    for (size_t number = json_array_size(c->claims) + 1; is_taken(c, text); number++)
+        snprintf(text + n, CERTIFIED_NAME - n, "-%zu", number);
 }
 
 /* FOLDER/PART/NAME.json; its digest. */
@@ -139,9 +162,9 @@ int certify_block(struct certifying *c, const struct cagd_code_program *p, const
         json_array_append_new(cases, one);
         json_array_append_new(listed, row);
     }
-    char *text = printed(h, v);
-    struct certified proved = {h->name, text,   "identity", "holds",  "proved",
-                               cases,   listed, compared,   v->paths, "field"};
+    char *text = printed(h, v), name[CERTIFIED_NAME];
+    certified_name(c, h->name, name);
+    struct certified proved = {name, text, "identity", "holds", "proved", cases, listed, compared, v->paths, "field"};
     int bad = certify_statement(c, &proved);
     free(text);
     return bad;

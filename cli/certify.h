@@ -24,6 +24,10 @@ struct certified {
 /* The folder is made, with the subfolder of the statements.  0, or -1 and a line on stderr; so everywhere here. */
 int certify_begin(struct certifying *c, const char *folder, const char *part);
 
+/* The name as that of a file, another than those of the claims before it. */
+enum { CERTIFIED_NAME = 224 };
+void certified_name(const struct certifying *c, const char *name, char text[CERTIFIED_NAME]);
+
 /* The texts of a trace (exact/record/trace.h) as a case of that number, and in *listed what the manifest says of it. */
 json_t *certified_case(const char *type, int number, const char *const trace[3], json_t **listed);
 

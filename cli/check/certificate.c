@@ -5,7 +5,6 @@
 #include "exact/expression/certify.h"
 #include "exact/words.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,23 +71,12 @@ static int take(void *data, const char *inputs, const char *nodes, const char *s
     return enough;
 }
 
-/* The name as that of a file, another than those before it. */
+/* The name of its certificate. */
 static const char *file_name(const struct certifying *c, const char *name)
 {
-    size_t n = strlen(name), k;
-    char *text = region_bytes(n + 16);
-    json_t *claim;
-    if (text == NULL)
-        return NULL;
-    n = n < 200 ? n : 200;
-    for (k = 0; k < n; k++)
-        text[k] = isalnum((unsigned char)name[k]) || (k > 0 && strchr("-_.", name[k]) != NULL) ? name[k] : '-';
-    text[n] = '\0';
-    json_array_foreach(c->claims, k, claim) if (strcmp(json_string_value(json_object_get(claim, "claim")), text) == 0)
-    {
-        snprintf(text + n, 16, "-%zu", json_array_size(c->claims) + 1);
-        break;
-    }
+    char *text = region_bytes(CERTIFIED_NAME);
+    if (text != NULL)
+        certified_name(c, name, text);
     return text;
 }
 

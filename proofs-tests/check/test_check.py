@@ -1537,6 +1537,16 @@ class Certificates(unittest.TestCase):
                         self.assertEqual(self.recheck(folder)[0], 1)
                 path.write_text(kept)
 
+    def test_statements_of_one_name_have_certificates_of_their_own(self):
+        """The name that was to be another one could be taken, too."""
+        for names, files in ((["a-4", "x", "a", "a"], {"a-4", "x", "a", "a-5"}), (["a", "a", "a"], {"a", "a-2", "a-3"}), (["a 2", "a-3", "a?2", "a-2-4", "a/2"], {"a-2", "a-3", "a-2-3", "a-2-4", "a-2-5"})):
+            with self.subTest(names=names), tempfile.TemporaryDirectory() as folder:
+                text = ":::{let}\nx \\in \\mathbb{R}\n:::\n" + "".join(f":::{{statement}} {name}\n:printed: x + {k} = {k} + x\n:::\n" for k, name in enumerate(names))
+                self.assertEqual(check(text, "--certificates", folder).returncode, 0)
+                self.assertEqual({path.stem for path in (pathlib.Path(folder) / "claims").iterdir()}, files)
+                code, out = self.recheck(folder)
+                self.assertEqual(code, 0, out)
+
     INEQUALITIES = [("\\frac{B_i^n(t)}{1+x} \\ge 0", "n = 2..3, i = 0..n, 0 \\le t \\le 1, x \\ge 0"), ("x^2 - 3 x + 5/2 > 0", "n = 1"),
                     ("x^2 + y^2 \\ge 2 x y", "n = 1"), ("x y < 1 + x", "n = 1, 0 \\le x, 0 < y < 1"), ("x \\ne -1", "n = 1, x > 0"),
                     ("1/3 < 1/2", "n = 1"), ("x - x^3 < 2/5", "n = 1, 0 \\le x \\le 1"), ("x y + y > 0", "n = 1, x \\ge 0, 0 < y < 1")]

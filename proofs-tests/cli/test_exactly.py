@@ -144,6 +144,15 @@ class Certificates(Exactly):
         folder = self.certified(PAGE)
         self.assertFalse((folder / "claims/divided_horner_is_casteljau.json").exists())
 
+    def test_blocks_of_one_name_have_certificates_of_their_own(self):
+        code = "double f(double x, double y) { return x + y; }\ndouble g(double x, double y) { return x * y; }"
+        other = (Verdicts.BLOCK % "x * y").replace("double f(", "double g(").replace("r = f(", "r = g(")
+        folder = self.certified(self.harness(Verdicts.BLOCK % "y + x" + "\n" + other, code))
+        self.assertEqual({path.name for path in (folder / "claims").iterdir()}, {"it.json", "it-2.json"})
+        code, out = self.recheck(folder)
+        self.assertEqual(code, 0, out)
+        self.assertIn("2 rechecked, 0 wrong", out)
+
     def test_roots_are_not_rechecked(self):
         block = Verdicts.BLOCK % "x*x + y*y + 1"
         folder = self.certified(self.harness(block, "#include <math.h>\ndouble f(double x, double y) { double r = sqrt(x * x + y * y + 1); return r * r; }"))
