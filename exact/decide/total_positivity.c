@@ -203,7 +203,7 @@ int cagd_all_minors_nonnegative(int rows, int columns, const num_q A[], int stri
             do {
                 region_mark m = region_open();
                 num_q value = minor_value(order, columns, A, row, column, B);
-                if (cagd_sign_q(value) < strict) {
+                if (cagd_sign_q(value) < (strict != 0)) {
                     if (worst != NULL)
                         *worst = (struct cagd_minor){order, row, column, value};
                     return 0;

@@ -6,6 +6,8 @@
 
 #include "core/number/binomial.h"
 
+#include <limits.h>
+
 static num_q q(long m) { return from_int_q(m); }
 
 /* C = A B, A is l x m, B is m x n. */
@@ -130,6 +132,19 @@ static void the_worst_minor_is_shown(void **state)
     assert_true(cagd_is_zero_q(worst.value));
 }
 
+/* `strict` is a truth value: every number but 0 asks for the same. */
+static void strict_is_yes_or_no(void **state)
+{
+    (void)state;
+    static const int yes[] = {1, 2, -1, INT_MAX, INT_MIN};
+    num_q one[1] = {q(1)}, zero[1] = {q(0)};
+    for (size_t k = 0; k < sizeof yes / sizeof yes[0]; k++) {
+        assert_true(cagd_all_minors_nonnegative(1, 1, one, yes[k], NULL));
+        assert_false(cagd_all_minors_nonnegative(1, 1, zero, yes[k], NULL));
+    }
+    assert_true(cagd_all_minors_nonnegative(1, 1, zero, 0, NULL));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -137,6 +152,7 @@ int main(void)
         unit(products_of_bidiagonal_matrices),
         unit(collocation_of_the_bernstein_basis),
         unit(the_worst_minor_is_shown),
+        unit(strict_is_yes_or_no),
     };
     return run_unit_tests(tests);
 }
