@@ -345,7 +345,7 @@ static int never_zero(num_f p, num_f n, num_f k, const cagd_sum *s)
     }
     if (count < 0 || !no_factor_vanishes(p, n, k, s->from, s->generic))
         return 0;
-    num_f by_last = substitute_f(with_k, n, div_f(plus(n, -s->beyond), whole(s->by)));
+    num_f by_last = substitute_f(with_k, n, div_f(plus(n, -s->beyond), whole(by_of(s))));
     return no_factor_vanishes(cagd_numerator_f(by_last), n, k, by_of(s) * s->from + s->beyond, s->generic);
 }
 

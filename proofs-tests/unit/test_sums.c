@@ -485,6 +485,23 @@ static void test_sums_to_multiples_of_n(void **state)
     }
 }
 
+/* p = 0 of a sum to N = p n + e stands for 1: the sum of (n choose k) to N = n. */
+static void test_a_last_term_that_is_not_said(void **state)
+{
+    (void)state;
+    open_field();
+    num_f one = whole(1);
+    cagd_telescoper T;
+    for (int by = 0; by < 2; by++) {
+        cagd_sum s = {binomials(1), one, whole(2), one, 0, 0, by, 0};
+        assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+        s.ratio = whole(3);
+        assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
+        assert_int_equal(region_faults, 0);
+    }
+    field_close();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(test_terms),
@@ -507,6 +524,7 @@ int main(void)
                                        unit(test_a_term_that_begins_before_its_row),
                                        unit(test_what_may_vanish),
                                        unit(test_the_last_of_the_first_rows),
-                                       unit(test_sums_to_multiples_of_n)};
+                                       unit(test_sums_to_multiples_of_n),
+                                       unit(test_a_last_term_that_is_not_said)};
     return run_unit_tests(tests);
 }
