@@ -418,7 +418,7 @@ void cagd_trace_fact_end(void) { put(&tracing->steps, "}"); }
 
 void cagd_trace_put_numbers(const char *field, int count, const num_q x[])
 {
-    int *node = x != NULL ? cagd_region_array(1, count, sizeof *node) : NULL;
+    int *node = count == 0 || x != NULL ? cagd_region_array(1, count, sizeof *node) : NULL;
     if (node == NULL) {
         give_up(FAULT_MEMORY);
         return;

@@ -64,6 +64,7 @@ void cagd_trace_put(const char *field, int x);
 void cagd_trace_put_list(const char *field, int count, const int x[]);
 void cagd_trace_fact_end(void);
 
-/* The nodes of the numbers, which get some where they have none, are a field of the fact that is open. */
+/* The nodes of the numbers, which get some where they have none, are a field of the fact that is open.  x may be NULL where there
+ * are no numbers; where there are some, NULL is an array for which there was no memory, and the trace gives up. */
 void cagd_trace_put_numbers(const char *field, int count, const cagd_num_q x[]);
 #endif

@@ -55,6 +55,14 @@ static void noted(const char *inputs, const char *nodes, const char *steps)
     cagd_trace_close();
 }
 
+static int occurrences(const char *text, const char *word)
+{
+    int count = 0;
+    for (; (text = strstr(text, word)) != NULL; text++)
+        count++;
+    return count;
+}
+
 static void arithmetic(void **state)
 {
     (void)state;
@@ -248,6 +256,23 @@ static void planar(void **state)
           "{\"fact\":\"operations\",\"out\":[22,23],\"additions\":1,\"multiplications\":1,\"shifts\":0}");
 }
 
+/* An array of no elements may be NULL: the hull of no points, which is empty, and a matrix without rows. */
+static void arrays_of_no_elements(void **state)
+{
+    (void)state;
+    open_with_integers();
+    num_q x[2] = {q(1), q(2)};
+    assert_false(cagd_testify_hull_membership(2, 0, NULL, x).inside);
+    assert_true(cagd_equal_q(cagd_testify_pivoted_determinant_q(0, NULL), q(1)));
+    assert_int_equal(region_faults, 0);
+    assert_true(cagd_trace_noting());
+    const char *steps = cagd_trace_steps();
+    assert_non_null(steps);
+    assert_int_equal(occurrences(steps, "{\"fact\":\"hull\",\"dim\":2,\"points\":[],\"x\":[5,6],\"is\":0,"), 1);
+    assert_int_equal(occurrences(steps, "{\"fact\":\"determinant\",\"rows\":0,\"A\":[],\"is\":["), 1);
+    cagd_trace_close();
+}
+
 static void in_the_field(void **state)
 {
     (void)state;
@@ -277,14 +302,6 @@ static void in_the_field(void **state)
           "{\"fact\":\"equal\",\"of\":[1,-1],\"is\":0},{\"agree\":false,\"formula\":\"!is_zero_f(a) && \\\"\\\\\\\"\"},"
           "{\"fact\":\"equal\",\"of\":[1,-1],\"is\":0},{\"agree\":true},"
           "{\"nonnegative\":1,\"good\":true,\"text\":\"a\",\"sign\":1},{\"nonnegative\":0,\"good\":false}");
-}
-
-static int occurrences(const char *text, const char *word)
-{
-    int count = 0;
-    for (; (text = strstr(text, word)) != NULL; text++)
-        count++;
-    return count;
 }
 
 /* Decisions that are made of smaller ones note those; in which order the compiler evaluates operands is its own affair, and so is the
@@ -477,6 +494,7 @@ int main(void)
                                        unit(functions_and_polynomials),
                                        unit(decisions),
                                        unit(planar),
+                                       unit(arrays_of_no_elements),
                                        unit(in_the_field),
                                        unit(made_of_smaller_decisions),
                                        unit(many_values),
