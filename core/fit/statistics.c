@@ -8,11 +8,17 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Whether the curve has ends, and these are given.  A closed curve has none, whatever the flag says. */
+static int has_given_ends(const cagd_fit_options *options, const cagd_fit_result *result)
+{
+    return result->period == 0 && !(options->free & CAGD_FIT_END_POINTS);
+}
+
 /* Whether point i is an end of the curve that is given: its distance is 0 whatever the unknowns are. */
 static int is_given_end(const cagd_fit_data *data, const cagd_fit_options *options, const cagd_fit_result *result,
                         int i)
 {
-    REQUIRE(!(options->free & CAGD_FIT_END_POINTS) && result->period == 0, 0);
+    REQUIRE(has_given_ends(options, result), 0);
     int at[2] = {1, 1};
     for (int c = 0; c < data->dim; c++) {
         const double x = data->points[(size_t)i * (size_t)data->dim + (size_t)c] - result->origin[c];
@@ -110,6 +116,6 @@ void fit_statistics(const cagd_fit_data *data, const cagd_fit_options *options, 
     for (int m = 0; m < result->unknowns * result->unknowns; m++)
         result->covariance[m] *= result->scale_squared;
     fit_invariants(result);
-    int fixed = options->initial == NULL && !(options->free & CAGD_FIT_END_POINTS);
-    result->ends_are_exact = fixed && (data->sigma != NULL || result->scale_squared > 0);
+    const int are_points = has_given_ends(options, result) && options->initial == NULL;
+    result->ends_are_exact = are_points && (data->sigma != NULL || result->scale_squared > 0);
 }

@@ -142,6 +142,28 @@ static void given_ends_are_no_measurements(void **state)
     assert_true(near(result.scale_squared, (51 - 1 - 16) / 3.0));
 }
 
+/* The flag of the ends says nothing of a closed curve: neither is an end exact, nor a point one, as the first and the last one would be. */
+static void closed_curves_have_no_ends(void **state)
+{
+    (void)state;
+    for (int free = CAGD_FIT_INNER_POINTS; free <= CAGD_FIT_INNER_POINTS + CAGD_FIT_END_POINTS;
+         free += CAGD_FIT_END_POINTS)
+        for (int known = 0; known < 2; known++) {
+            conic(0.5);
+            points[2] = points[3] = 0;      /* where the curve begins, and */
+            points[14] = 3, points[15] = 0; /* where it ends               */
+            data.sigma = known ? sigma : NULL;
+            options.free = free, options.closed = 1, result.period = 1;
+            fit_statistics(&data, &options, &result);
+            assert_int_equal(result.ends_are_exact, 0);
+            assert_int_equal(result.degrees_of_freedom, 5);
+            result.period = 0, options.closed = 0; /* of an open curve it says so */
+            fit_statistics(&data, &options, &result);
+            assert_int_equal(result.ends_are_exact, free == CAGD_FIT_INNER_POINTS);
+            assert_int_equal(result.degrees_of_freedom, free == CAGD_FIT_INNER_POINTS ? 3 : 5);
+        }
+}
+
 static void given_standard_deviations(void **state)
 {
     (void)state;
@@ -321,11 +343,16 @@ static void which_curves_turn_as_at_a_cusp(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(quantiles_to_the_last_digit),    cmocka_unit_test(losses_have_their_derivatives),
-        cmocka_unit_test(unknown_standard_deviations),    cmocka_unit_test(given_ends_are_no_measurements),
-        cmocka_unit_test(given_standard_deviations),      cmocka_unit_test(robust_covariance),
-        cmocka_unit_test(estimates_with_their_intervals), cmocka_unit_test(which_conic),
-        cmocka_unit_test(a_weight_that_is_zero),          cmocka_unit_test(which_curves_turn_as_at_a_cusp)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(quantiles_to_the_last_digit),
+                                       cmocka_unit_test(losses_have_their_derivatives),
+                                       cmocka_unit_test(unknown_standard_deviations),
+                                       cmocka_unit_test(given_ends_are_no_measurements),
+                                       cmocka_unit_test(closed_curves_have_no_ends),
+                                       cmocka_unit_test(given_standard_deviations),
+                                       cmocka_unit_test(robust_covariance),
+                                       cmocka_unit_test(estimates_with_their_intervals),
+                                       cmocka_unit_test(which_conic),
+                                       cmocka_unit_test(a_weight_that_is_zero),
+                                       cmocka_unit_test(which_curves_turn_as_at_a_cusp)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
