@@ -1,5 +1,7 @@
 #include "core/fit/outliers.h"
 
+#include "core/fit/statistics.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -27,7 +29,7 @@ double fit_robust_deviation(const cagd_fit_data *data, const cagd_fit_result *r)
     double median = (distances[(n - 1) / 2] + distances[n / 2]) / 2;
     free(distances);
     double of_normal = data->dim == 2 ? 0.67448975019608174 : 1.17741002251547469;
-    return freedom > 0 ? median / of_normal * sqrt(1 + r->rank / (double)freedom) : 0;
+    return freedom > 0 ? median / of_normal * sqrt(1 + fit_counted_unknowns(r) / (double)freedom) : 0; /* n/(n - k) */
 }
 
 double fit_loss_scale_of(cagd_fit_loss loss, double deviation)

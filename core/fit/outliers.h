@@ -2,7 +2,8 @@
  *
  * The scale of the points is estimated by the median of the distances, which half of the points may not obey: of normal errors with standard
  * deviation 1 the distance of a point from a curve of the plane has the median 0.6745 (MAD), of a curve in space, with two
- * directions across, sqrt(2 log 2) = 1.1774.  The number of unknowns is allowed for by sqrt(n/(n - k)).
+ * directions across, sqrt(2 log 2) = 1.1774.  The number of unknowns is allowed for by sqrt(n/(n - k)), n and k
+ * of statistics.h.
  *
  * An outlier is farther than the largest of N normal errors is once in twenty times:  N P(|Z| > z) = 0.05; in space
  * N exp(-z^2/2) = 0.05.  Of points that lie on the curve but for rounding none is one.

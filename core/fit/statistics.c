@@ -54,6 +54,11 @@ static double scaled_square(const cagd_fit_data *data, const cagd_fit_result *re
     return sum;
 }
 
+int fit_counted_unknowns(const cagd_fit_result *result)
+{
+    return isfinite(result->effective) ? (int)rint(result->effective) : result->unknowns;
+}
+
 /* Huber's factor for the covariance of an M-estimate: see the header. */
 static double m_estimate_scale(const cagd_fit_data *data, const cagd_fit_options *options,
                                const cagd_fit_result *result)
@@ -76,7 +81,8 @@ static double m_estimate_scale(const cagd_fit_data *data, const cagd_fit_options
                 variance += (m - mean) * (m - mean) / count;
             }
         }
-    double K = 1 + result->rank / (double)equations(data, options, result) * variance / (mean * mean);
+    const double k = fit_counted_unknowns(result), n = equations(data, options, result);
+    double K = 1 + k / n * variance / (mean * mean);
     return mean > 0 ? K * K * spread / result->degrees_of_freedom / (mean * mean) : NAN;
 }
 
@@ -89,8 +95,7 @@ static void fill_criteria(const cagd_fit_data *data, const cagd_fit_options *opt
         fit_loss(options->loss, options->loss_scale, scaled_square(data, result, i), value);
         sum += value[0];
     }
-    int fitted = isfinite(k) ? (int)rint(k) : result->unknowns; /* without a number all count */
-    int d = result->degrees_of_freedom = rows - fitted;
+    int d = result->degrees_of_freedom = rows - fit_counted_unknowns(result);
     result->chi_squared = sum;
     result->reduced_chi_squared = d > 0 ? sum / d : NAN;
     result->aic = known ? sum + 2 * k : n * log(sum / n) + 2 * (k + 1);

@@ -5,6 +5,7 @@
 #include "core/fit/means.h"
 #include "core/fit/model.h"
 #include "core/fit/order.h"
+#include "core/fit/outliers.h"
 #include "core/fit/problem.h"
 #include "core/fit/sample.h"
 #include "core/fit/strategy.h"
@@ -461,6 +462,28 @@ static void means_of_neighbours(void **state)
     fit_means_free(&means);
 }
 
+/* The median of distances 1, ..., 50 over that of normal errors, times sqrt(n/(n - k)): with a smoothing term k is what the points
+ * determine of the unknowns, and not how many these are. */
+static void the_robust_deviation_counts_what_is_determined(void **state)
+{
+    (void)state;
+    enum { POINTS = 50 };
+    double distances[POINTS], place[2 * POINTS] = {0};
+    for (int i = 0; i < POINTS; i++)
+        distances[i] = (i % 2 ? 1 : -1) * (1 + i * 7 % POINTS);
+    const cagd_fit_data data = {POINTS, 2, place, NULL};
+    cagd_fit_result r = {.count = POINTS, .distances = distances, .unknowns = 120, .rank = 120, .effective = 9.8};
+    r.degrees_of_freedom = POINTS - 10;
+    const double normal = 25.5 / 0.67448975019608174;
+    assert_true(fabs(fit_robust_deviation(&data, &r) / (normal * sqrt(50 / 40.0)) - 1) < ROUNDINGS);
+    r.unknowns = r.rank = 12, r.effective = 12, r.degrees_of_freedom = POINTS - 12; /* without one, the rank */
+    assert_true(fabs(fit_robust_deviation(&data, &r) / (normal * sqrt(50 / 38.0)) - 1) < ROUNDINGS);
+    r.effective = NAN; /* a matrix that is singular: every unknown counts */
+    assert_true(fabs(fit_robust_deviation(&data, &r) / (normal * sqrt(50 / 38.0)) - 1) < ROUNDINGS);
+    r.degrees_of_freedom = 0;
+    assert_true(fit_robust_deviation(&data, &r) == 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -476,6 +499,7 @@ int main(void)
         cmocka_unit_test(feet_in_order_keep_to_their_leg),
         cmocka_unit_test(neighbours_are_taken_together_where_points_scatter),
         cmocka_unit_test(means_of_neighbours),
+        cmocka_unit_test(the_robust_deviation_counts_what_is_determined),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

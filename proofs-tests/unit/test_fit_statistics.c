@@ -193,8 +193,14 @@ static void robust_covariance(void **state)
     assert_true(near(result.scale_squared, K * K * spread / 5 / (mean * mean)));
     assert_true(near(result.chi_squared, 0.25 + 1 + (2 * 0.5 * (3 + 4 + 5 + 6 + 7 + 8) - 6)));
     assert_true(result.quantile == fit_student_quantile(5));
-    options.loss_scale = 100; /* nothing is beyond: squares */
     conic(0.5);
+    options.loss = CAGD_FIT_HUBER;
+    result.effective = 1.2; /* a smoothing term: of the three unknowns the points determine about one */
+    fit_statistics(&data, &options, &result);
+    K = 1 + 1 / 8.0 * variance / (mean * mean);
+    assert_int_equal(result.degrees_of_freedom, 7);
+    assert_true(near(result.scale_squared, K * K * spread / 7 / (mean * mean)));
+    conic(0.5); /* nothing is beyond: squares */
     options.loss = CAGD_FIT_HUBER, options.loss_scale = 100;
     fit_statistics(&data, &options, &result);
     assert_true(near(result.scale_squared, 204 / 4.0 / 5));
