@@ -131,8 +131,8 @@ static void judge(const cagd_fit_data *data, const cagd_fit_result *r, const fit
 {
     const int d = data->count - 5, known = r->scale_is_given;
     const double ratio = fmax(0, round->chi_squared - r->chi_squared) / 2 / (r->chi_squared / d);
-    const double probability = fit_f_probability(ratio, 2, d), rms = sqrt(round->chi_squared / data->count);
-    const int rounded = data->sigma == NULL && rms <= rounding_of(data);
+    const double probability = fit_f_probability(ratio, 2, d);
+    const int rounded = data->sigma == NULL && round->rms <= rounding_of(data);
     if (!round->converged || round->unknowns < 3 || !(rounded || probability > FIT_NO_CIRCLE))
         return;
     const double scale_squared = known ? 1 : round->chi_squared / (data->count - 3);
@@ -145,13 +145,7 @@ static void judge(const cagd_fit_data *data, const cagd_fit_result *r, const fit
         to->centre[c] = (cagd_fit_number){round->x[c], sqrt(s.joint[c][c]), NAN, NAN};
     to->radius = (cagd_fit_number){hypot(round->x[2], round->x[3]), sqrt(s.joint[2][2]), NAN, NAN};
     to->sweep = sweep_of(data, &s);
-    double sum = 0;
-    for (int i = 0; i < data->count; i++) {
-        const double off =
-            hypot(data->points[2 * i] - round->x[0], data->points[2 * i + 1] - round->x[1]) - to->radius.value;
-        sum += off * off;
-    }
-    to->rms = sqrt(sum / data->count);
+    to->rms = round->rms;
     if (to->rms <= FIT_BENT * to->radius.value)
         fill_intervals(&s, quantile, to);
 }

@@ -79,6 +79,7 @@ typedef struct work {
     int first[2], unknown[MOST];
     fit_reduction *rows;
     double R[(MOST + 1) * (MOST + 1)], cost;
+    double square;         /* the sum of the squared distances, not over s_i^2 */
     double T[MOST * MOST]; /* the directions in which x may move, as columns: m of them */
     int m;
 } work;
@@ -114,7 +115,7 @@ static void evaluate(work *w, const double x[], double phi[])
     const int dim = w->dim;
     sample(dim, x, at);
     fit_reduction_clear(w->rows);
-    w->cost = 0;
+    w->cost = w->square = 0;
     for (int i = 0; i < w->data->count; i++) {
         const double *q = w->data->points + (size_t)i * (size_t)dim, precision = 1 / w->data->sigma[i];
         phi[i] = foot_of(dim, x, at, q, E);
@@ -129,6 +130,7 @@ static void evaluate(work *w, const double x[], double phi[])
             for (int k = 0; k < w->n; k++, row += stride)
                 *row = -precision * share[k / dim] * n[r][k % dim];
             *row = precision * left;
+            w->square += left * left;
             double more = precision * left * precision * left - lost, sum = w->cost + more;
             lost = (sum - w->cost) - more;
             w->cost = sum;
@@ -394,6 +396,7 @@ int fit_ellipse_of(const cagd_fit_data *data, int circle, const fit_ellipse *fro
         make_principal(dim, x);
         evaluate(&w, x, phi);
         e->chi_squared = w.cost;
+        e->rms = unit * sqrt(w.square / count);
         good = fill_inverse(&w, circle, x, e);
         fill_bias(&w, x, phi, e);
     }

@@ -24,6 +24,7 @@ typedef struct fit_ellipse {
     int unknowns; /* that count                                                         */
     int converged, iterations;
     double chi_squared; /* the sum that was minimised                                        */
+    double rms;         /* of the distances themselves, which are lengths                     */
 } fit_ellipse;
 
 /* Both ellipse and circle; from: where to begin, NULL: with the first ellipse; phi: the N parameters of the feet on the ellipse, between -pi and pi.  The points are

@@ -168,7 +168,7 @@ static int is_circle(const cagd_fit_data *data, const fit_ellipse *e, const fit_
                      cagd_fit_ellipse *to)
 {
     const int d = to->freedom = data->count * (data->dim - 1) - e->unknowns;
-    to->circle_rms = sqrt(round->chi_squared / data->count);
+    to->circle_rms = round->rms;
     if (!round->converged || d <= 0)
         return 0;
     const double more = round->chi_squared - e->chi_squared;

@@ -1,6 +1,8 @@
 /* test_fit_parts.c -- what a fit is made of, each part against its definition. */
 #include "proofs-tests/fit/options.h"
 
+#include "core/fit/ellipse.h"
+#include "core/fit/ellipse_result.h"
 #include "core/fit/feet.h"
 #include "core/fit/means.h"
 #include "core/fit/model.h"
@@ -484,6 +486,40 @@ static void the_robust_deviation_counts_what_is_determined(void **state)
     assert_true(fit_robust_deviation(&data, &r) == 0);
 }
 
+/* Points near an ellipse, in the plane and in space, with standard deviations of their own or without: how far they are from the circle that
+ * comes closest is a length in their unit. */
+static void the_distances_from_a_circle_are_lengths(void **state)
+{
+    (void)state;
+    const double turn = 2 * acos(-1) / N;
+    for (int dim = 2; dim <= 3; dim++)
+        for (int known = 0; known < 2; known++)
+            for (int unit = 1; unit <= 1000; unit += 999) {
+                for (int i = 0; i < N; i++) {
+                    const double x[3] = {3 * cos(turn * i), 2 * sin(turn * i), 0.02 * cos(7.0 * i)};
+                    sigma[i] = unit * (0.5 + (i * 7 % 5) / 4.0) / 100;
+                    for (int c = 0; c < dim; c++)
+                        Q[i * dim + c] = unit * (x[c] + 0.01 * sin(5.0 * i + c));
+                }
+                const cagd_fit_data data = {N, dim, Q, known ? sigma : NULL};
+                cagd_fit_options o = cagd_fit_defaults();
+                cagd_fit_result *r;
+                fit_ellipse round;
+                double phi[N], sum = 0;
+                o.closed = 1;
+                assert_int_equal(fit_ellipse_result(&data, &o, &r), CAGD_OK);
+                assert_true(r != NULL && r->found.ellipse.known && !r->found.ellipse.circle);
+                assert_true(fit_ellipse_of(&data, 1, NULL, &round, phi) && round.converged);
+                for (int i = 0; i < N; i++)
+                    for (int c = 0; c < dim; c++) {
+                        const double *a = round.x + dim, *b = a + dim;
+                        sum += pow(Q[i * dim + c] - round.x[c] - a[c] * cos(phi[i]) - b[c] * sin(phi[i]), 2);
+                    }
+                assert_true(fabs(r->found.ellipse.circle_rms / sqrt(sum / N) - 1) < 1e-12);
+                cagd_fit_free(r);
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -500,6 +536,7 @@ int main(void)
         cmocka_unit_test(neighbours_are_taken_together_where_points_scatter),
         cmocka_unit_test(means_of_neighbours),
         cmocka_unit_test(the_robust_deviation_counts_what_is_determined),
+        cmocka_unit_test(the_distances_from_a_circle_are_lengths),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
