@@ -151,7 +151,7 @@ static cagd_status choose_degree(const cagd_fit_data *data, const cagd_fit_optio
         cagd_fit_result *one = NULL;
         char name[64];
         own.degree = p;
-        if (own.count > 0 && own.count < p + 1 + own.closed)
+        if (own.count > 0 && own.count <= p) /* of a closed curve, too, the points are more than the degree */
             break;
         cagd_status status = fit_refined(data, &own, choices, &one, where);
         if (status == CAGD_OK && choices->weights && !(own.free & CAGD_FIT_WEIGHTS))

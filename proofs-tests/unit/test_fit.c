@@ -1135,6 +1135,36 @@ static void intervals_may_be_left_out(void **state)
     cagd_fit_free(without);
 }
 
+/* Of a number of control points that is given those degrees from 2 to 5 are tried that cagd_fit takes it for, of closed curves as of open ones. */
+static void degrees_are_tried_that_the_number_of_points_allows(void **state)
+{
+    (void)state;
+    const cagd_fit_choices degrees[] = {{.closed = 0, .degree = 1}, {.closed = 1, .degree = 1}};
+    const double turn = acos(-1) / 30;
+    for (int i = 0; i < 60; i++)
+        Q[2 * i] = 3 * cos(turn * i) + 0.01 * sin(9.0 * i), Q[2 * i + 1] = 2 * sin(turn * i) + 0.01 * cos(7.0 * i);
+    cagd_fit_data data = {60, 2, Q, NULL};
+    for (int closed = 0; closed <= 1; closed++)
+        for (int count = 1; count <= 7; count++) {
+            cagd_fit_options o = cagd_fit_defaults();
+            cagd_fit_result *r = NULL;
+            int allowed = 0;
+            o.count = count, o.closed = closed, o.without_intervals = 1;
+            o.free = CAGD_FIT_INNER_POINTS | CAGD_FIT_END_POINTS;
+            for (o.degree = 2; o.degree <= 5; o.degree++) {
+                allowed += cagd_fit(&data, &o, &r, NULL) == CAGD_OK;
+                cagd_fit_free(r);
+            }
+            assert_int_equal(allowed, count < 3 ? 0 : count < 6 ? count - 2 : 4);
+            o.closed = 0;
+            const cagd_status status = cagd_fit_choose(&data, &o, &degrees[closed], &r, NULL);
+            assert_int_equal(status, allowed > 0 ? CAGD_OK : CAGD_BAD_OPTION);
+            assert_int_equal(r != NULL ? r->found.candidates : 0, allowed);
+            assert_true(r == NULL || (r->period > 0) == closed);
+            cagd_fit_free(r);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -1167,6 +1197,7 @@ int main(void)
         cmocka_unit_test(feet_of_points_between_two_parts_are_nearest_points),
         cmocka_unit_test(a_single_point_has_its_distance),
         cmocka_unit_test(bad_arguments_are_refused),
+        cmocka_unit_test(degrees_are_tried_that_the_number_of_points_allows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
