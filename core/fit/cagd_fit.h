@@ -334,8 +334,8 @@ CAGD_API cagd_fit_closing cagd_fit_closing_of(const cagd_fit_data *data, int uno
  *
  *     score = n log(chi_squared/n) + k log(n) n/(n - k - 2),    given standard deviations: chi_squared + k log(n) n/(n - k - 2),
  *
- * n = N (dim-1), k the unknowns that the points determine, without those of the ends.  Where degrees compete within a distance, the
- * score is the number of control points of those that keep within it.  A curve that is no minimum or has
+ * n = N (dim-1), k the unknowns that the points determine, without those of the ends, and one more where the standard deviation is unknown,
+ * which is that one.  Where degrees compete within a distance, the score is the number of control points of those that keep within it.  A curve that is no minimum or has
  * excursions that no points show does not count.  One that cagd_fit_quality_of finds nothing against is better than one with problems,
  * unless that shows it to be too simple, CAGD_FIT_SIMPLE.  Beside a conic or an ellipse that does, an ellipse and a spline are tried of fewer than 64
  * points and where it leaves a gap, and count where they show that, or nothing is found against them as there is against it; where only the given

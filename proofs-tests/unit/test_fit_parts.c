@@ -1,6 +1,7 @@
 /* test_fit_parts.c -- what a fit is made of, each part against its definition. */
 #include "proofs-tests/fit/options.h"
 
+#include "core/fit/candidate.h"
 #include "core/fit/ellipse.h"
 #include "core/fit/ellipse_result.h"
 #include "core/fit/feet.h"
@@ -486,6 +487,23 @@ static void the_robust_deviation_counts_what_is_determined(void **state)
     assert_true(fit_robust_deviation(&data, &r) == 0);
 }
 
+/* The score as cagd_fit.h prints it: of N points in space n = 2 N; two of the 9 unknowns are of measured ends, and an unknown deviation is one
+ * more. */
+static void scores_are_as_printed(void **state)
+{
+    (void)state;
+    const cagd_fit_result r = {.effective = 9, .end_points = {0, N - 1}, .chi_squared = 3.25};
+    const double n = 2 * N;
+    for (int known = 0; known < 2; known++) {
+        const cagd_fit_data data = {N, 3, Q, known ? sigma : NULL};
+        const double k = known ? 7 : 8, more = k * log(n) * n / (n - k - 2);
+        const double score = known ? r.chi_squared + more : n * log(r.chi_squared / n) + more;
+        assert_true(fabs(fit_score(&data, &r) / score - 1) < ROUNDINGS);
+    }
+    const cagd_fit_data few = {4, 3, Q, NULL}; /* n - k - 2 < 0 */
+    assert_true(isinf(fit_score(&few, &r)));
+}
+
 /* Points near an ellipse, in the plane and in space, with standard deviations of their own or without: how far they are from the circle that
  * comes closest is a length in their unit. */
 static void the_distances_from_a_circle_are_lengths(void **state)
@@ -537,6 +555,7 @@ int main(void)
         cmocka_unit_test(means_of_neighbours),
         cmocka_unit_test(the_robust_deviation_counts_what_is_determined),
         cmocka_unit_test(the_distances_from_a_circle_are_lengths),
+        cmocka_unit_test(scores_are_as_printed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
