@@ -214,8 +214,7 @@ static cagd_status expand(const pools *p, const cagd_fit_options *options, cagd_
     r->cost += within / 2, r->initial_cost += within / 2;
     for (int end = 0; end < 2; end++)
         r->end_points[end] = r->end_points[end] < 0 ? -1 : end == 0 ? 0 : n - 1;
-    for (int k = 0; k < r->unknowns * r->unknowns; k++)
-        r->covariance[k] /= r->scale_squared;
+    /* The means have standard deviations, whether the points have some or not: the covariance is (J^T J)^+ still. */
     fit_statistics(data, options, r);
     for (int q = 0; q < r->unknowns + r->invariants; q++)
         r->interval_by[q] = CAGD_FIT_INTERVAL_NOT_SOUGHT;

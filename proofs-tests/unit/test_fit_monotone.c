@@ -167,6 +167,35 @@ static void a_bad_start_does_not_matter(void **state)
     }
 }
 
+/* A parabola with measured ends through the means of as many feet as it has equations for, which alone have no degrees of freedom; the shared
+ * foot gives two.  The covariance is that of the fit to the means, times what the points say of their deviation. */
+static void feet_that_are_shared_give_degrees_of_freedom(void **state)
+{
+    (void)state;
+    static const double P[] = {0, 0, 0.6, 0.5, 1.05, 0.62, 0.95, 0.55, 2, 0},
+                        means[] = {0, 0, 0.6, 0.5, 1, 0.585, 2, 0};
+    static const double of_means[] = {1, 1, 0.70710678118654752, 1};
+    memcpy(Q, P, sizeof P);
+    const cagd_fit_data d = {5, 2, Q, NULL}, pooled = {4, 2, means, of_means};
+    cagd_fit_options o = options_in_order();
+    o.degree = 2;
+    cagd_fit_result *r = fit(&d, &o);
+    check_result(&d, r);
+    assert_int_equal(r->tied, 1);
+    assert_int_equal(r->degrees_of_freedom, 2);
+    assert_true(r->scale_squared > 0);
+    o.monotone = 0;
+    cagd_fit_result *of_pools = fit(&pooled, &o);
+    assert_int_equal(of_pools->degrees_of_freedom, 0);
+    assert_int_equal(r->unknowns, of_pools->unknowns);
+    for (int k = 0; k < r->unknowns * r->unknowns; k++)
+        assert_near(r->covariance[k], r->scale_squared * of_pools->covariance[k], 1e-9 * r->scale_squared);
+    for (int k = 0; k < r->unknowns; k++)
+        assert_true(cagd_fit_unknown_estimate(r, k).error > 0);
+    cagd_fit_free(of_pools);
+    cagd_fit_free(r);
+}
+
 /* Errors of a hundredth of the way between points put no foot out of order. */
 static void points_in_order_have_the_fit_without(void **state)
 {
@@ -228,9 +257,9 @@ static void what_has_no_order_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_cost_is_least_among_ordered_feet), cmocka_unit_test(a_bad_start_does_not_matter),
-        cmocka_unit_test(points_in_order_have_the_fit_without), cmocka_unit_test(closed_curves_have_a_seam),
-        cmocka_unit_test(what_has_no_order_is_refused),
+        cmocka_unit_test(the_cost_is_least_among_ordered_feet),         cmocka_unit_test(a_bad_start_does_not_matter),
+        cmocka_unit_test(points_in_order_have_the_fit_without),         cmocka_unit_test(closed_curves_have_a_seam),
+        cmocka_unit_test(feet_that_are_shared_give_degrees_of_freedom), cmocka_unit_test(what_has_no_order_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
