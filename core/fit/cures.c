@@ -1,11 +1,10 @@
+#include "core/fit/by_feet.h"
 #include "core/fit/candidate.h"
-#include "core/fit/keyed.h"
 #include "core/require.h"
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
+#include <stddef.h>
 
 /* cures.c -- what else can be asked for where a fit is not good, and whether it helps: each is tried on the same points. */
 
@@ -56,43 +55,19 @@ static void ask_for_spline(const patient *p, int count, cagd_fit_trial *t)
 /* Whether the points of a trial lie along its curve as they should: of points in no order those of its feet are their order. */
 static cagd_status look(const patient *p, const cagd_fit_result *r, const cagd_fit_options *options, int *problems)
 {
-    cagd_fit_quality quality;
-    const int n = r->count, dim = p->data->dim;
-    if (!options->unordered) {
-        const cagd_status status = cagd_fit_quality_of(p->data, options, r, &quality);
-        *problems = quality.problems;
-        return status;
-    }
-    cagd_fit_data data = *p->data;
-    cagd_fit_result sorted = *r;
+    cagd_fit_quality quality = {0};
     cagd_fit_options ordered = *options;
-    keyed *list = malloc(((size_t)n + 1) * sizeof *list);
-    double *numbers = malloc(((size_t)n * (size_t)(2 * dim + 3) + 1) * sizeof *numbers);
-    if (list == NULL || numbers == NULL) {
-        free(list);
-        free(numbers);
-        return CAGD_NO_MEMORY;
-    }
-    double *points = numbers, *residuals = points + (size_t)n * (size_t)dim, *feet = residuals + (size_t)n * (size_t)dim,
-           *distances = feet + n, *sigma = distances + n;
-    for (int i = 0; i < n; i++)
-        list[i] = (keyed){r->feet[i], i};
-    qsort(list, (size_t)n, sizeof *list, fit_by_key);
-    for (int i = 0; i < n; i++) {
-        const size_t from = (size_t)list[i].index, to = (size_t)i;
-        memcpy(points + to * (size_t)dim, p->data->points + from * (size_t)dim, (size_t)dim * sizeof *points);
-        memcpy(residuals + to * (size_t)dim, r->residuals + from * (size_t)dim, (size_t)dim * sizeof *residuals);
-        feet[i] = r->feet[from];
-        distances[i] = r->distances[from];
-        sigma[i] = p->data->sigma != NULL ? p->data->sigma[from] : 1;
-    }
-    data.points = points, data.count = n, data.sigma = p->data->sigma != NULL ? sigma : NULL;
-    sorted.feet = feet, sorted.residuals = residuals, sorted.distances = distances;
+    fit_by_feet sorted;
+    cagd_status status = CAGD_NO_MEMORY;
     ordered.unordered = 0;
-    const cagd_status status = cagd_fit_quality_of(&data, &ordered, &sorted, &quality);
+    if (!options->unordered)
+        status = cagd_fit_quality_of(p->data, options, r, &quality);
+    else {
+        if (fit_by_feet_of(p->data, r, &sorted))
+            status = cagd_fit_quality_of(&sorted.data, &ordered, &sorted.result, &quality);
+        fit_by_feet_free(&sorted);
+    }
     *problems = quality.problems;
-    free(list);
-    free(numbers);
     return status;
 }
 

@@ -1135,6 +1135,42 @@ static void intervals_may_be_left_out(void **state)
     cagd_fit_free(without);
 }
 
+/* Points in no order, some neighbours of which are outliers.  Whether there is structure in the distances from a curve that was tried does not
+ * depend on the order in which the points are told: what is said of the trial is what is said of the same fit. */
+static void trials_of_points_in_no_order_are_seen_as_they_are(void **state)
+{
+    (void)state;
+    enum { POINTS = 61, STEP = 25, OUTLIERS = 4 };
+    const cagd_fit_choices nothing = {0};
+    int with_structure = 0, without = 0;
+    state_of_noise = 3;
+    for (int k = 0; k < POINTS; k++) { /* the k-th along the curve */
+        const int i = k * STEP % POINTS;
+        Q[2 * i] = 10.0 * k / (POINTS - 1);
+        Q[2 * i + 1] = 2 * sin(0.6 * Q[2 * i]) + 0.02 * (noise() + noise() + noise());
+        Q[2 * i + 1] += k >= POINTS / 2 && k < POINTS / 2 + OUTLIERS ? 0.6 : 0;
+    }
+    const cagd_fit_data data = {POINTS, 2, Q, NULL};
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_quality quality = {.problems = CAGD_FIT_STRUCTURE};
+    cagd_fit_cures cures;
+    o.unordered = 1, o.loss = CAGD_FIT_HUBER, o.loss_scale = 0, o.without_intervals = 1;
+    cagd_fit_result *r = fit(&data, &o);
+    assert_int_equal(cagd_fit_cures_of(&data, &o, &nothing, r, &quality, &cures), CAGD_OK);
+    cagd_fit_free(r);
+    for (int k = 0; k < cures.count; k++) {
+        const cagd_fit_trial *t = &cures.trial[k];
+        if (!t->minimum)
+            continue;
+        assert_int_equal(cagd_fit_choose(&data, &t->options, &t->choices, &r, NULL), CAGD_OK);
+        assert_int_equal(cagd_fit_quality_of(&data, &t->options, r, &quality), CAGD_OK);
+        assert_int_equal(t->problems & CAGD_FIT_STRUCTURE, quality.problems & CAGD_FIT_STRUCTURE);
+        *(t->problems & CAGD_FIT_STRUCTURE ? &with_structure : &without) += 1;
+        cagd_fit_free(r);
+    }
+    assert_true(with_structure > 0 && without > 0);
+}
+
 /* Of a number of control points that is given those degrees from 2 to 5 are tried that cagd_fit takes it for, of closed curves as of open ones. */
 static void degrees_are_tried_that_the_number_of_points_allows(void **state)
 {
@@ -1198,6 +1234,7 @@ int main(void)
         cmocka_unit_test(a_single_point_has_its_distance),
         cmocka_unit_test(bad_arguments_are_refused),
         cmocka_unit_test(degrees_are_tried_that_the_number_of_points_allows),
+        cmocka_unit_test(trials_of_points_in_no_order_are_seen_as_they_are),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* test_fit_parts.c -- what a fit is made of, each part against its definition. */
 #include "proofs-tests/fit/options.h"
 
+#include "core/fit/by_feet.h"
 #include "core/fit/candidate.h"
 #include "core/fit/ellipse.h"
 #include "core/fit/ellipse_result.h"
@@ -487,6 +488,52 @@ static void the_robust_deviation_counts_what_is_determined(void **state)
     assert_true(fit_robust_deviation(&data, &r) == 0);
 }
 
+/* Whatever belongs to a point goes with it where points are put in the order of their feet; what was there is left as it was. */
+static void all_of_a_point_goes_by_its_foot(void **state)
+{
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++)
+        for (int known = 0; known < 2; known++) {
+            double feet[N], distances[N], residuals[3 * N];
+            int at_end[N], outlier[N];
+            cagd_fit_data data = around(dim, 0);
+            data.sigma = known ? sigma : NULL;
+            for (int i = 0; i < N; i++) {
+                feet[i] = i * 17 % N / (N - 1.0), distances[i] = i + 0.5;
+                at_end[i] = i % 3 == 0, outlier[i] = i % 7 == 0;
+                for (int c = 0; c < dim; c++)
+                    residuals[i * dim + c] = 100 * i + c;
+            }
+            const cagd_fit_result r = {.count =
+                                           N - 1, /* the last point is left out, as one that repeats the first is */
+                                       .feet = feet,
+                                       .distances = distances,
+                                       .residuals = residuals,
+                                       .foot_at_end = at_end,
+                                       .outlier = known ? outlier : NULL,
+                                       .end_points = {5, -1},
+                                       .largest_at = 11,
+                                       .rms = 2.5};
+            fit_by_feet s;
+            assert_true(fit_by_feet_of(&data, &r, &s));
+            assert_true(s.data.count == N - 1 && s.data.dim == dim && (s.data.sigma != NULL) == known);
+            assert_true(s.result.count == N - 1 && s.result.rms == 2.5 && (s.result.outlier != NULL) == known);
+            for (int j = 0; j < N - 1; j++) {
+                const int i = (int)(s.result.distances[j] - 0.5);
+                assert_true(j == 0 || s.result.feet[j] > s.result.feet[j - 1]);
+                assert_true(s.result.feet[j] == feet[i] && s.result.foot_at_end[j] == at_end[i]);
+                assert_memory_equal(s.result.residuals + j * dim, residuals + i * dim, (size_t)dim * sizeof *residuals);
+                assert_memory_equal(s.data.points + j * dim, Q + i * dim, (size_t)dim * sizeof *Q);
+                assert_true(!known || (s.data.sigma[j] == sigma[i] && s.result.outlier[j] == outlier[i]));
+                assert_int_equal(s.result.end_points[0] == j, i == 5);
+                assert_int_equal(s.result.largest_at == j, i == 11);
+            }
+            assert_int_equal(s.result.end_points[1], -1);
+            assert_true(feet[1] == 17 / (N - 1.0) && r.end_points[0] == 5);
+            fit_by_feet_free(&s);
+        }
+}
+
 /* The score as cagd_fit.h prints it: of N points in space n = 2 N; two of the 9 unknowns are of measured ends, and an unknown deviation is one
  * more. */
 static void scores_are_as_printed(void **state)
@@ -556,6 +603,7 @@ int main(void)
         cmocka_unit_test(the_robust_deviation_counts_what_is_determined),
         cmocka_unit_test(the_distances_from_a_circle_are_lengths),
         cmocka_unit_test(scores_are_as_printed),
+        cmocka_unit_test(all_of_a_point_goes_by_its_foot),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
