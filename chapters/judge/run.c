@@ -224,8 +224,9 @@ static void conclude(claim_result *r)
         int cannot_confirm = t == INTERVAL_TYPE && b->outcome == UNDECIDED && wanted == HOLDS && b->faults == 0;
         if ((b->outcome != wanted && !cannot_confirm) || !b->control_caught)
             r->as_expected = 0;
-        if ((b->outcome == wanted || cannot_confirm) && evidence_of(c, t) > r->computed)
-            r->computed = evidence_of(c, t);
+        const evidence known = cannot_confirm ? ENCLOSED : evidence_of(c, t);
+        if ((b->outcome == wanted || cannot_confirm) && known > r->computed)
+            r->computed = known;
         if (b->outcome == FAILS)
             r->outcome = FAILS;
     }

@@ -210,6 +210,97 @@ static void zero_in_every_type(void **state)
     field_close();
 }
 
+/* What ought to vanish stands on the left, 0 on the right. */
+static void what_should_vanish_is_on_the_left(void **state)
+{
+    (void)state;
+    static const char *const sides[NUMBER_TYPES][2] = {{"5", "0"}, {"5", "0"}, {"[5, 5]", "[0, 0]"}, {"5", "0"}};
+    field_open(1);
+    for (number_type t = 0; t < NUMBER_TYPES; t++) {
+        trial T = tried();
+        switch (t) {
+        case FIELD_TYPE:
+            vanishes_f(&T, from_int_f(5));
+            break;
+        case RATIONAL_TYPE:
+            vanishes_q(&T, from_int_q(5));
+            break;
+        case INTERVAL_TYPE:
+            vanishes_i(&T, from_int_i(5));
+            break;
+        default:
+            vanishes_m(&T, exact_m(5));
+        }
+        assert_int_equal(T.outcome, FAILS);
+        assert_string_equal(shown(&T, "left"), sides[t][0]);
+        assert_string_equal(shown(&T, "right"), sides[t][1]);
+        done(&T);
+    }
+    field_close();
+}
+
+/* A condition is told with its formula, but not that of a counterexample, which is one of the body and not of what is printed;
+ * the first that does not hold, with what it is about. */
+static void conditions_are_told(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < KINDS; kind++) {
+        const claim c = {.name = "conditions", .scope = "", .kind = (claim_kind)kind};
+        trial T = {.claim = &c};
+        agree_as(&T, 1, "1 < 2");
+        assert_int_equal(T.exhibits, 0);
+        about(&T, "two numbers");
+        agree_as(&T, 0, "2 < 1");
+        agree_as(&T, 0, "3 < 1");
+        assert_int_equal(T.outcome, FAILS);
+        assert_int_equal(T.compared, 3);
+        assert_int_equal(T.exhibits, kind == COUNTEREXAMPLE ? 1 : 2);
+        assert_string_equal(shown(&T, "compared"), "two numbers");
+        if (kind != COUNTEREXAMPLE)
+            assert_string_equal(shown(&T, "condition"), "2 < 1");
+        forget_exhibits(T.shown, T.exhibits);
+    }
+}
+
+/* After a division by zero, too, a difference is one; after what could not be computed there is none. */
+static void what_is_compared_after_a_fault(void **state)
+{
+    (void)state;
+    static const struct {
+        unsigned fault;
+        outcome outcome;
+    } list[] = {{0, FAILS}, {FAULT_UNDEFINED, FAILS}, {FAULT_UNABLE, HOLDS}, {FAULT_CROWDED, HOLDS}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        trial T = tried();
+        region_faults = list[k].fault;
+        same_q(&T, from_int_q(1), from_int_q(2));
+        assert_int_equal(T.outcome, list[k].outcome);
+        assert_int_equal(T.exhibits, list[k].outcome == FAILS ? 2 : 0);
+        assert_int_equal(T.compared, 1);
+        region_faults = 0;
+        done(&T);
+    }
+}
+
+/* What is shown of a binary64, or of the ends of an interval, is read again as the same number. */
+static void shown_numbers_are_the_numbers(void **state)
+{
+    (void)state;
+    static const double list[] = {1.0 / 3, -2e-300 / 3, 1e300 / 7, 0x1.fffffffffffffp-1, 0.1};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        trial T = tried();
+        num_i a =
+            cagd_hull_i(from_rational_i(from_double_q(list[k])), from_rational_i(from_double_q(2 * fabs(list[k]))));
+        show_m(&T, "number", exact_m(list[k]));
+        show_i(&T, "interval", a);
+        assert_true(strtod(shown(&T, "number"), NULL) == list[k]);
+        char *end;
+        assert_true(strtod(shown(&T, "interval") + 1, &end) == list[k]);
+        assert_true(strtod(end + 1, NULL) == 2 * fabs(list[k]));
+        done(&T);
+    }
+}
+
 /* What is compared is noted where a trace is open, in the order of the comparisons. */
 static void comparisons_are_noted(void **state)
 {
@@ -446,6 +537,48 @@ static void what_is_found(void **state)
     field_close();
 }
 
+/* Where another result is stated what came out is shown, in every type; and where the stated one is of another shape. */
+static void what_came_out_is_shown(void **state)
+{
+    (void)state;
+    trial T = given_to();
+    static const char *const out[NUMBER_TYPES] = {"7", "7", "[7, 7]", "7"};
+    field_open(2);
+    for (number_type t = 0; t < NUMBER_TYPES; t++)
+        for (int shape = 0; shape < 2; shape++) {
+            const char *name = shape ? "points" : "three";
+            switch (t) {
+            case FIELD_TYPE:
+                found_f(&T, name, from_int_f(7));
+                break;
+            case RATIONAL_TYPE:
+                found_q(&T, name, from_int_q(7));
+                break;
+            case INTERVAL_TYPE:
+                found_i(&T, name, from_int_i(7));
+                break;
+            default:
+                found_m(&T, name, exact_m(7));
+            }
+            assert_string_equal(shown(&T, name), out[t]);
+            made_a_mistake(&T, shape ? "'points': the stated result has another shape"
+                                     : "'three': another result is stated");
+        }
+    field_close();
+    num_q P[6];
+    for (int k = 0; k < 6; k++)
+        P[k] = from_ratio_q(k, 2);
+    found_points_q(&T, "points", 2, 3, P);
+    assert_string_equal(shown(&T, "points"), "(0, 1/2, 1) (3/2, 2, 5/2)");
+    made_a_mistake(&T, "'points': another result is stated");
+    found_text(&T, "text", "z");
+    assert_string_equal(shown(&T, "text"), "z");
+    made_a_mistake(&T, "'text': another result is stated");
+    found_q(&T, "tenth", from_ratio_q(1, 10)); /* and where it is the stated one, that as it is written */
+    assert_string_equal(shown(&T, "tenth"), "0.1");
+    made_a_mistake(&T, NULL);
+}
+
 /* The first entry and the last count as any other. */
 static void what_nobody_asks_for(void **state)
 {
@@ -504,8 +637,117 @@ static void unable_confirms_nothing(void **state)
         }
 }
 
-/* 24 cases of the degrees 1 to 9: the last one is of degree 6. */
 static void any_degree_q(trial *T) { same_q(T, from_int_q(T->degree), from_int_q(T->degree + T->planted)); }
+
+/* Intervals that meet refute nothing, so a counterexample in them alone is none; nor do they decide: they enclose. */
+static void meet_i(trial *T) { same_i(T, from_int_i(1), T->planted ? from_int_i(2) : from_int_i(1)); }
+static void meet_in_both_i(trial *T) { (void)T, same_i(T, from_int_i(1), from_int_i(1)); }
+static void intervals_that_meet_are_no_decision(void **state)
+{
+    (void)state;
+    static const struct {
+        void (*body)(trial *);
+        claim_kind kind;
+        int as_expected;
+        evidence evidence;
+    } list[] = {{meet_i, IDENTITY, 1, ENCLOSED},
+                {meet_i, DECISION, 1, ENCLOSED},
+                {meet_in_both_i, COUNTEREXAMPLE, 0, NO_EVIDENCE}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        const claim c = {.name = "meet", .scope = "", .kind = list[k].kind, .body = {[INTERVAL_TYPE] = list[k].body}};
+        claim_result *r = judge_one(&c);
+        assert_int_equal(r->by[INTERVAL_TYPE].outcome, UNDECIDED);
+        assert_true(r->by[INTERVAL_TYPE].control_caught);
+        assert_int_equal(r->as_expected, list[k].as_expected);
+        assert_int_equal(r->evidence, list[k].evidence);
+        free_results(r, 1);
+    }
+}
+
+/* A control is caught in whichever case it fails, the last one, too; that of a counterexample has to hold in all of them. */
+static int wrong_at;
+static void wrong_in_one_degree_q(trial *T)
+{
+    same_q(T, from_int_q(T->planted && T->degree == wrong_at), from_int_q(0));
+}
+static void refuted_but_in_one_degree_q(trial *T)
+{
+    same_q(T, from_int_q(!T->planted || T->degree == wrong_at), from_int_q(0));
+}
+static void controls_of_all_cases(void **state)
+{
+    (void)state;
+    for (int refutes = 0; refutes < 2; refutes++)
+        for (wrong_at = 1; wrong_at <= 4; wrong_at++) {
+            const claim c = {.name = "controls",
+                             .scope = "",
+                             .kind = refutes ? COUNTEREXAMPLE : DECISION,
+                             .degree_low = 1,
+                             .degree_high = 3,
+                             .degree_sampled = 3,
+                             .body = {[RATIONAL_TYPE] = refutes ? refuted_but_in_one_degree_q : wrong_in_one_degree_q}};
+            claim_result *r = judge_one(&c);
+            assert_int_equal(r->by[RATIONAL_TYPE].outcome, refutes ? FAILS : HOLDS);
+            assert_int_equal(r->by[RATIONAL_TYPE].control_caught, refutes == (wrong_at > 3));
+            assert_int_equal(r->as_expected, refutes == (wrong_at > 3));
+            free_results(r, 1);
+        }
+}
+
+/* The data of case k are those of the seed FNV-1a of the name, plus k; a case that fails is told with that seed. */
+static const char named[] = "seeds of cases";
+static uint64_t fnv(const char *text)
+{
+    uint64_t h = 0xcbf29ce484222325u;
+    while (*text != '\0')
+        h = (h ^ (unsigned char)*text++) * 0x100000001b3u;
+    return h;
+}
+static void fails_in_degree_three_q(trial *T)
+{
+    const uint64_t seed = fnv(named) + (uint64_t)(T->degree - 1);
+    trial of_seed = {.state = seed};
+    num_q x = unknown_q(&of_seed, "x", 0);
+    agree(T, T->planted || T->small != NULL || (T->seed == seed && cagd_equal_q(unknown_q(T, "x", 0), x)));
+    same_q(T, from_int_q(T->degree > 2), from_int_q(T->planted ? 7 : 0));
+}
+static void every_case_has_its_seed(void **state)
+{
+    (void)state;
+    const claim c = {.name = named,
+                     .scope = "",
+                     .degree_low = 1,
+                     .degree_high = 4,
+                     .degree_sampled = 4,
+                     .body = {[RATIONAL_TYPE] = fails_in_degree_three_q}};
+    claim_result *r = judge_one(&c);
+    assert_int_equal(r->by[RATIONAL_TYPE].outcome, FAILS);
+    assert_int_equal(r->by[RATIONAL_TYPE].cases, 3);
+    assert_true(r->by[RATIONAL_TYPE].seed == fnv(named) + 2);
+    free_results(r, 1);
+}
+
+/* A claim whose letter is left empty has degrees n. */
+static void a_claim_without_a_letter_has_degrees_n(void **state)
+{
+    (void)state;
+    static const char *const letter[] = {NULL, "", "n"};
+    for (int k = 0; k < 3; k++) {
+        const claim c = {.name = "letter",
+                         .scope = "",
+                         .kind = DECISION,
+                         .letter = letter[k],
+                         .degree_low = 2,
+                         .degree_high = 5,
+                         .degree_sampled = 5,
+                         .body = {[RATIONAL_TYPE] = any_degree_q}};
+        claim_result *r = judge_one(&c);
+        assert_string_equal(r->scope, "n = 2 to 5");
+        free_results(r, 1);
+    }
+}
+
+/* 24 cases of the degrees 1 to 9: the last one is of degree 6. */
 static void the_highest_degree_is_told(void **state)
 {
     (void)state;
@@ -661,6 +903,10 @@ int main(void)
         unit(variables_whose_sign_was_used),
         unit(signs_of_single_letters),
         unit(zero_in_every_type),
+        unit(what_should_vanish_is_on_the_left),
+        unit(conditions_are_told),
+        unit(what_is_compared_after_a_fault),
+        unit(shown_numbers_are_the_numbers),
         unit(comparisons_are_noted),
         unit(the_generator_is_splitmix64),
         unit(where_data_lie),
@@ -668,8 +914,13 @@ int main(void)
         unit(what_lies_inside),
         unit(what_is_given),
         unit(what_is_found),
+        unit(what_came_out_is_shown),
         unit(what_nobody_asks_for),
         unit(unable_confirms_nothing),
+        unit(intervals_that_meet_are_no_decision),
+        unit(controls_of_all_cases),
+        unit(every_case_has_its_seed),
+        unit(a_claim_without_a_letter_has_degrees_n),
         unit(the_highest_degree_is_told),
         unit(verdicts_from_links),
         unit(cases_that_words_add),
