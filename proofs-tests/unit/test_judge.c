@@ -687,12 +687,18 @@ static const claim many[] = {{EVERYWHERE(square_of_sum)},
                              {IN(RATIONAL_TYPE, _q, one_is_two), .kind = COUNTEREXAMPLE}};
 enum { MANY = sizeof many / sizeof *many };
 
+/* How often the progress of each was told: in each of its number types. */
+static int told_of[MANY];
 static void count_progress(void *context, int done, int total, const char *name)
 {
     int *last = context;
     assert_int_equal(done, *last + 1);
     assert_int_equal(total, 10 * NUMBER_TYPES + 3);
-    assert_non_null(name);
+    int k = 0;
+    while (k < MANY && many[k].name != name)
+        k++;
+    assert_true(k < MANY);
+    told_of[k]++;
     *last = done;
 }
 
@@ -868,6 +874,7 @@ static claim_result *judge_many(int jobs, int *finished)
     for (int k = 0; k < MANY; k++)
         list[k] = &many[k];
     *finished = 0;
+    memset(told_of, 0, sizeof told_of);
     const run_options options = {.jobs = jobs, .progress = count_progress, .context = finished};
     return judge_claims(list, MANY, &options);
 }
@@ -895,6 +902,9 @@ static void test_results_do_not_depend_on_the_jobs(void **state)
     static const int jobs[] = {0, 2, 7, 64};
     for (size_t j = 0; j < sizeof jobs / sizeof *jobs; j++) {
         claim_result *several = judge_many(jobs[j], &finished);
+        for (int k = 0; k < MANY; k++)
+            assert_int_equal(told_of[k], several[k].by[FIELD_TYPE].ran + several[k].by[RATIONAL_TYPE].ran +
+                                             several[k].by[INTERVAL_TYPE].ran + several[k].by[DOUBLE_TYPE].ran);
         assert_int_equal(finished, 10 * NUMBER_TYPES + 3);
         for (int k = 0; k < MANY; k++) {
             assert_ptr_equal(several[k].claim, &many[k]);

@@ -171,6 +171,21 @@ static void the_letter_is_n_where_none_is_given(void **state)
     }
 }
 
+/* Degree 0 is one as any other; a claim without degrees has none. */
+static void degree_nought_is_shown(void **state)
+{
+    (void)state;
+    for (int last = 0; last < 2; last++) {
+        const claim c = {.name = "shown", .scope = "", .degree_low = 0, .degree_high = last};
+        trial T = {.claim = &c, .degree = 0};
+        show_degree(&c, &T);
+        assert_int_equal(T.exhibits, last);
+        if (last > 0)
+            assert_string_equal(T.shown[0].value, "0");
+        forget_exhibits(T.shown, T.exhibits);
+    }
+}
+
 static void a_number_without_index_is_a_variable_of_the_field(void **state)
 {
     (void)state;
@@ -471,18 +486,20 @@ static void names_are_whole_words(void **state)
     assert_scope("spaced", "n", "all lengths");
 }
 
+static const char *const greek_letters[][2] = {{"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"},     {"lambda", "λ"},
+                                               {"mu", "μ"},    {"tau", "τ"},   {"sigma", "σ"},     {"theta", "θ"},
+                                               {"rho", "ρ"},   {"omega", "ω"}, {"delta", "δ"},     {"kappa", "κ"},
+                                               {"chi", "χ"},   {"nu", "ν"},    {"varepsilon", "ε"}};
+enum { GREEK = sizeof greek_letters / sizeof *greek_letters };
+
 /* What a phrase says of a Greek letter is not said once more of the variable that TeX writes out. */
 static void every_greek_letter_is_known(void **state)
 {
     (void)state;
-    static const char *const greek[][2] = {{"alpha", "α"}, {"beta", "β"},      {"gamma", "γ"}, {"lambda", "λ"},
-                                           {"mu", "μ"},    {"tau", "τ"},       {"sigma", "σ"}, {"theta", "θ"},
-                                           {"rho", "ρ"},   {"omega", "ω"},     {"delta", "δ"}, {"kappa", "κ"},
-                                           {"chi", "χ"},   {"varepsilon", "ε"}};
-    for (size_t k = 0; k < sizeof greek / sizeof *greek; k++) {
+    for (size_t k = 0; k < GREEK; k++) {
         char name[16], phrase[16];
-        snprintf(name, sizeof name, "%s", greek[k][0]);
-        snprintf(phrase, sizeof phrase, "0 < %s < 1", greek[k][1]);
+        snprintf(name, sizeof name, "%s", greek_letters[k][0]);
+        snprintf(phrase, sizeof phrase, "0 < %s < 1", greek_letters[k][1]);
         const claim c = {.name = "greek", .scope = phrase, .over = name};
         claim_result r = IN_FIELD(c, 0, 0);
         r.by[FIELD_TYPE].variables = name;
@@ -499,10 +516,12 @@ static void a_letter_stands_by_itself(void **state)
     static const struct {
         const char *phrase;
         int says;
-    } list[] = {{"0 < t < 1", 1}, {"$t>0$", 1},   {"t > 0", 1},    {"s < t", 1},   {"f(t) > 0", 1},  {"st, t > 0", 1},
-                {"\\tau > 0", 0}, {"\\t > 0", 0}, {"at s > 0", 0}, {"s > st", 0},  {"ts < 1", 0},    {"t_1 > 0", 0},
-                {"{t} > 0", 1},   {"|t| > 0", 1}, {"~t~ > 0", 1},  {"@t > 0", 1},  {"[t] > 0", 1},   {"t(s) > 0", 0},
-                {"βt > 0", 0},    {"tβ > 0", 0},  {"every st", 0}, {"every t", 1}, {"of t alone", 0}};
+    } list[] = {{"0 < t < 1", 1}, {"$t>0$", 1},     {"t > 0", 1},      {"s < t", 1},    {"f(t) > 0", 1},
+                {"st, t > 0", 1}, {"\\tau > 0", 0}, {"\\t > 0", 0},    {"at s > 0", 0}, {"s > st", 0},
+                {"ts < 1", 0},    {"t_1 > 0", 0},   {"{t} > 0", 1},    {"|t| > 0", 1},  {"~t~ > 0", 1},
+                {"@t > 0", 1},    {"[t] > 0", 1},   {"t(s) > 0", 0},   {"βt > 0", 0},   {"tβ > 0", 0},
+                {"every st", 0},  {"every t", 1},   {"of t alone", 0}, {"t ≤ 1", 1},    {"t ≥ 0", 1},
+                {"$t\\le1$", 1},  {"$t\\ge0$", 1},  {"t = 1", 0},      {"t ≠ 0", 0},    {"not every t", 0}};
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         char name[] = "t";
         const claim c = {.name = "letter", .scope = list[k].phrase, .over = "t"};
@@ -563,6 +582,325 @@ static void a_result_has_a_sign(void **state)
     }
 }
 
+/* ---- scopes made by hand ------------------------------------------------------------------------------- */
+
+/* The scope of a claim that says so, of the degrees to `high` where that is not 0, with these variables of the field. */
+static scope scope_that_says(const char *said, int last, const char *over, const char *variables)
+{
+    const claim c = {.name = "says", .scope = said, .over = over};
+    char names[64];
+    snprintf(names, sizeof names, "%s", variables);
+    claim_result r = IN_FIELD(c, 1, last);
+    r.by[FIELD_TYPE].variables = names;
+    return scope_of(&r);
+}
+
+static void assert_words(const scope *s, const char *letter, const char *expected)
+{
+    char *words = scope_words(s, letter);
+    assert_string_equal(words, expected);
+    free(words);
+}
+
+/* Phrases in every order: apart are two of which each has one that the other one lacks, wherever it stands. */
+static void a_phrase_is_looked_for_in_the_whole_list(void **state)
+{
+    (void)state;
+    static const char *const lists[] = {"a",    "b",       "c",       "a; b",    "b; a",    "a; c",    "c; a",   "b; c",
+                                        "c; b", "a; b; c", "b; c; a", "c; a; b", "a; c; b", "c; b; a", "b; a; c"};
+    enum { LISTS = sizeof lists / sizeof *lists };
+    for (int i = 0; i < LISTS; i++)
+        for (int j = 0; j < LISTS; j++) {
+            int alone[2] = {0}, different = 0;
+            for (char c = 'a'; c <= 'c'; c++) {
+                int mine = strchr(lists[i], c) != NULL, yours = strchr(lists[j], c) != NULL;
+                alone[0] |= mine && !yours;
+                alone[1] |= yours && !mine;
+                different += mine || yours;
+            }
+            scope s = scope_that_says(lists[i], 4, "", ""), other = scope_that_says(lists[j], 4, "", "");
+            meet_scope(&s, &other);
+            assert_int_equal(s.apart, alone[0] && alone[1]);
+            assert_int_equal(s.said.count, different);
+            free_scope(&s);
+            free_scope(&other);
+        }
+}
+
+/* What is stated is so wherever the phrase stands; beside it data alone are more. */
+static void what_is_stated_is_apart_from_what_is_more(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *said[2];
+        int high[2];
+        const char *variables;
+        int apart;
+    } list[] = {{{"the stated arc", ""}, {0, 0}, "w0", 1},
+                {{"the stated arc", ""}, {0, 0}, "", 0}, /* which is about everything */
+                {{"the stated arc", ""}, {0, 4}, "", 1},
+                {{"the stated arc", ""}, {4, 0}, "w0", 1},
+                {{"the stated arc", ""}, {4, 4}, "w0", 1},
+                {{"the stated arc", ""}, {4, 4}, "", 0},
+                {{"a; the stated arc", "a"}, {0, 0}, "", 1},
+                {{"a; b; the stated arc", "a"}, {0, 0}, "", 1},
+                {{"the stated arc; a", "a"}, {0, 0}, "", 1},
+                {{"a; the stated arc", "a"}, {4, 4}, "", 0},
+                {{"the stated arc", "the stated arc; a"}, {0, 0}, "w0", 0},
+                {{"the stated arc", "a; the stated arc"}, {0, 0}, "w0", 0}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (int turned = 0; turned < 2; turned++) {
+            scope s = scope_that_says(list[k].said[0], list[k].high[0], "", ""),
+                  other = scope_that_says(list[k].said[1], list[k].high[1], "w#: weights", list[k].variables);
+            meet_scope(turned ? &other : &s, turned ? &s : &other);
+            if ((turned ? other : s).apart != list[k].apart)
+                fail_msg("%zu, turned %d", k, turned);
+            free_scope(&s);
+            free_scope(&other);
+        }
+}
+
+/* A noun that begins another one is one of its own, whichever comes first, in one claim and in two. */
+static void nouns_are_whole(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *over, *variables[2], *words;
+    } list[] = {{"a: gap; b: gaps", {"a b", ""}, "every gap and gaps"},
+                {"a: gap; b: gaps", {"b a", ""}, "every gaps and gap"},
+                {"a: gap; b: gaps", {"a", "b"}, "every gap and gaps"},
+                {"a: gap; b: gaps", {"b", "a"}, "every gaps and gap"},
+                {"a: t; b: t'; c: t''", {"a b", "c a"}, "every t, t' and t''"},
+                {"a: t; b: t'; c: t''", {"c", "b a"}, "every t'', t' and t"},
+                {"a#: gap; b#: gaps", {"a1 b1", "a2 b3"}, "all gap and gaps"},
+                {"", {"a b", "c"}, "all data"},
+                {"b: gap", {"a", "b c"}, "every gap, all other data"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        scope s = scope_that_says("", 0, list[k].over, list[k].variables[0]),
+              other = scope_that_says("", 0, list[k].over, list[k].variables[1]);
+        meet_scope(&s, &other);
+        assert_words(&s, "n", list[k].words);
+        free_scope(&s);
+        free_scope(&other);
+    }
+}
+
+/* The numbers of a scope have letters of their own beside the degree: a case is asked of each, wherever it stands in the list. */
+static void ranges_of_several_letters(void **state)
+{
+    (void)state;
+    static const char *const letter[] = {"", "m", "l"};
+    for (int degree = 0; degree < 3; degree++)
+        for (int empty = -1; empty < 3; empty++) {
+            scope s = {.ranges = 0};
+            for (int k = 0; k < 3; k++) {
+                whole_range r = {.low = 1, .high = 7};
+                strcpy(r.letter, letter[(3 + k - degree) % 3]); /* the degree is in that place */
+                const scope one = {.range = &r, .ranges = 1};
+                meet_scope(&s, &one);
+                r = (whole_range){.low = k == empty ? 8 : 3, .high = 9};
+                strcpy(r.letter, letter[(3 + k - degree) % 3]);
+                meet_scope(&s, &one);
+            }
+            assert_int_equal(s.ranges, 3);
+            assert_int_equal(is_empty_scope(&s), empty >= 0);
+            keep_degree(&s, 5);
+            for (int k = 0; k < 3; k++) {
+                assert_int_equal(s.range[k].low, k == empty ? 8 : k == degree ? 5 : 3);
+                assert_int_equal(s.range[k].high, k == degree ? 5 : 7);
+            }
+            free_scope(&s);
+        }
+}
+
+/* A word for the degree stands before its number, a letter has a sign; another letter has its sign beside both. */
+static void numbers_are_told_in_their_letters(void **state)
+{
+    (void)state;
+    static const struct {
+        int low, high;
+        const char *letter, *words;
+    } list[] = {{1, 4, "n", "n = 1 to 4; m = 1 to 4"},
+                {1, 4, "k", "k = 2 to 5; m = 1 to 4"},
+                {1, 4, "degree", "degree 1 to 4; m = 1 to 4"},
+                {1, 4, "order", "order 2 to 5; m = 1 to 4"},
+                {0, 3, "n", "n = 0 to 3; m = 0 to 3"},
+                {0, 3, "k", "k = 1 to 4; m = 0 to 3"},
+                {0, 0, "degree", "degree 0; m = 0"},
+                {3, 3, "order", "order 4; m = 3"},
+                {3, 3, "k", "k = 4; m = 3"},
+                {4, 3, "n", "no n; no m"},
+                {4, 3, "order", "no order; no m"},
+                {2, WITHOUT_END, "n", "every n from 2 on; every m from 2 on"},
+                {2, WITHOUT_END, "k", "every k from 3 on; every m from 2 on"},
+                {1, WITHOUT_END, "order", "every order from 2 on; every m from 1 on"},
+                {1, WITHOUT_END, "degree", "every degree from 1 on; every m from 1 on"},
+                {0, WITHOUT_END, "k", "every k; every m"},
+                {0, WITHOUT_END, "n", "every n; every m"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        whole_range r[] = {{"", list[k].low, list[k].high}, {"m", list[k].low, list[k].high}};
+        const scope s = {.range = r, .ranges = 2};
+        assert_words(&s, list[k].letter, list[k].words);
+    }
+}
+
+/* A condition reads as a phrase of the scope in TeX and in letters, with its indices; what is another relation or index does not. */
+static void conditions_that_are_said(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *said, *condition;
+        int same;
+    } list[] = {{"t ≤ 1", "$t\\le1$", 1},       {"t ≥ 1", "$t\\ge 1$", 1},      {"t ≠ 1", "$t\\ne1$", 1},
+                {"t ≤ 1", "$t\\ge1$", 0},       {"t ≥ 1", "$t\\le 1$", 0},      {"t ≠ 1", "$t\\le1$", 0},
+                {"t₀ < t₁", "$t_0<t_1$", 1},    {"t₀ < t₁", "$t_1<t_0$", 0},    {"t₁ < t₀", "$t_1<t_0$", 1},
+                {"$t_0 < t_1$", "t₀ < t₁", 1},  {"t ≤ 1", "$t\\le1$ here", 0},  {"t ≤ 1 here", "$t\\le1$", 0},
+                {"a; t ≥ 0; b", "$t\\ge0$", 1}, {"a; b; t ≥ 0", "t \\ge 0", 1}, {"t ≥ 0; a", "$ t \\ge 0 $", 1}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        scope s = scope_that_says(list[k].said, 0, "", "");
+        add_condition(&s, list[k].condition);
+        char expected[100];
+        snprintf(expected, sizeof expected, "%s%s%s", list[k].said, list[k].same ? "" : "; where ",
+                 list[k].same ? "" : list[k].condition);
+        assert_words(&s, "n", expected);
+        free_scope(&s);
+    }
+}
+
+/* The letters of the field as TeX writes them are those of a statement, and as a text has them. */
+static void greek_letters_are_left_by_both_names(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < GREEK; k++)
+        for (int form = 0; form < 2; form++)
+            for (int known = 0; known < 2; known++) {
+                char over[32], letters[32];
+                snprintf(over, sizeof over, "e: %s", greek_letters[k][form]);
+                snprintf(letters, sizeof letters, "n %s x", known ? greek_letters[k][0] : "t");
+                scope s = scope_that_says("", 0, over, "e");
+                leave_letters(&s, letters);
+                assert_int_equal(s.kinds, known);
+                free_scope(&s);
+            }
+    scope s = scope_that_says("", 0, "e: interval; f: x/y; g: y; h#: z",
+                              "e f g h1"); /* of these the quotient and y are letters */
+    leave_letters(&s, "x");
+    assert_words(&s, "n", "all z, every interval");
+    free_scope(&s);
+}
+
+/* ---- what several claims decide ------------------------------------------------------------------------ */
+
+static statement_result derive_from(const statement *s, const statement_link links[])
+{
+    statement of = *s;
+    of.links = links;
+    return derive(&of, results, RESULTS);
+}
+#define LINKS(...) ((const statement_link[]){__VA_ARGS__, {HOLDS_BY, NULL, NULL, NULL, NULL}})
+#define BY(role, name)                                                                                                 \
+    {                                                                                                                  \
+        role, name, NULL, "", NULL                                                                                     \
+    }
+#define ARGUMENT(cases)                                                                                                \
+    {                                                                                                                  \
+        ARGUED, NULL, cases, "words", NULL                                                                             \
+    }
+
+/* Cases that end as others do, or begin so, are other cases. */
+static void cases_that_are_alike_are_told(void **state)
+{
+    (void)state;
+    static const char *const alike[] = {"odd n > 7", "n > 7", "n", "odd n", "7"};
+    enum { PHRASES = sizeof alike / sizeof *alike };
+    for (int i = 0; i < PHRASES; i++)
+        for (int j = 0; j < PHRASES; j++) {
+            char expected[64];
+            snprintf(expected, sizeof expected, "%s%s%s", alike[i], i == j ? "" : "; ", i == j ? "" : alike[j]);
+            statement_result r = derive_from(&(statement){.id = "source:1"},
+                                             LINKS(BY(HOLDS_BY, "low"), ARGUMENT(alike[i]), ARGUMENT(alike[j])));
+            assert_string_equal(r.as_printed.argued_for, expected);
+            assert_int_equal(r.as_printed.evidence, PROVED);
+            free_statement_result(&r);
+        }
+}
+
+/* Words that add cases and words that the cases need: the first lead beyond the degrees, the second weaken, in either order. */
+static void words_of_both_kinds(void **state)
+{
+    (void)state;
+    for (int turned = 0; turned < 2; turned++) {
+        statement_result r =
+            derive_from(&(statement){.id = "source:1"},
+                        LINKS(BY(HOLDS_BY, "low"), ARGUMENT(turned ? "" : "n > 9"), ARGUMENT(turned ? "n > 9" : "")));
+        assert_string_equal(r.as_printed.argued_for, "n > 9");
+        assert_int_equal(r.as_printed.evidence, BY_ARGUMENT);
+        free_statement_result(&r);
+    }
+}
+
+/* Of several readings any may fail. */
+static void one_reading_that_fails_is_enough(void **state)
+{
+    (void)state;
+    for (int fails = 0; fails <= 3; fails++) {
+        statement_result r = derive_from(&(statement){.id = "source:1"},
+                                         LINKS(BY(HOLDS_BY, "low"), BY(READING, fails == 0 ? "against" : "low"),
+                                               BY(READING, fails == 1 ? "against" : "few"),
+                                               BY(READING, fails == 2 ? "against" : "low")));
+        assert_true(r.as_expected);
+        assert_int_equal(r.verdict, fails == 3 ? VERDICT_HOLDS : VERDICT_UNDECIDED);
+        free_statement_result(&r);
+    }
+}
+
+/* Without a letter, and with an empty one, a statement counts degrees n; a correction is told as what is printed: of the
+ * letters of the statement, and in its only degree. */
+static void a_correction_is_told_as_a_print(void **state)
+{
+    (void)state;
+    char names[] = "x1 t s";
+    const claim c = {.name = "letters", .scope = "", .over = "x#: points; t; s"},
+                refutes = {.name = "refutes", .kind = COUNTEREXAMPLE, .scope = ""};
+    claim_result both[] = {
+        IN_FIELD(c, 1, 6),
+        {.claim = &refutes, .as_expected = 1, .outcome = FAILS, .evidence = DECIDED, .scope = stated}};
+    both[0].by[FIELD_TYPE].variables = names;
+    static const struct {
+        const char *letter, *letters;
+        int degree;
+        const char *scope;
+    } list[] = {{NULL, NULL, 0, "n = 1 to 6; all points, every t and s"},
+                {"", NULL, 0, "n = 1 to 6; all points, every t and s"},
+                {"n", "t", 0, "n = 1 to 6; all points, every t"},
+                {"p", "t", 4, "p = 4; all points, every t"},
+                {"degree", "s t", 6, "degree 6; all points, every t and s"},
+                {"k", "x", 1, "k = 2; all points"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (int corrects = 0; corrects < 2; corrects++) {
+            const statement s = {.id = "source:1",
+                                 .letter = list[k].letter,
+                                 .letters = list[k].letters,
+                                 .degree = list[k].degree,
+                                 .links = corrects ? LINKS(BY(REFUTED_BY, "refutes"), BY(CORRECTED_BY, "letters"))
+                                                   : LINKS(BY(HOLDS_BY, "letters"))};
+            statement_result r = derive(&s, both, 2);
+            assert_true(r.as_expected);
+            assert_string_equal(corrects ? r.as_corrected.scope : r.as_printed.scope, list[k].scope);
+            free_statement_result(&r);
+        }
+    for (int corrects = 0; corrects < 2; corrects++) { /* and not in a degree that its claims do not have */
+        const statement s = {.id = "source:1",
+                             .degree = 7,
+                             .links = corrects ? LINKS(BY(REFUTED_BY, "refutes"), BY(CORRECTED_BY, "letters"))
+                                               : LINKS(BY(HOLDS_BY, "letters"))};
+        statement_result r = derive(&s, both, 2);
+        assert_false(r.as_expected);
+        assert_int_equal(r.verdict, VERDICT_OPEN);
+        free_statement_result(&r);
+    }
+}
+
 /* ---- what is written of a claim ------------------------------------------------------------------------ */
 
 /* 9000 sums in degree 1, one in degree 2. */
@@ -596,6 +934,64 @@ static void a_long_case_is_recorded_where_it_is_alone(void **state)
         free(text);
         free_results(r, 1);
     }
+}
+
+/* Of degrees whose programs are too long the highest that is not is recorded, beside the lowest. */
+static int long_from;
+static void long_in_high_degrees_q(trial *T)
+{
+    num_q sum = unknown_q(T, "x", 0), one = from_int_q(1), less = sum;
+    for (int k = 0; k < (T->degree >= long_from ? 9000 : 1); k++)
+        sum = add_q(sum, one);
+    same_q(T, sum, add_q(less, from_int_q(T->planted ? -1 : T->degree >= long_from ? 9000 : 1)));
+}
+static void the_highest_degree_that_is_not_too_long(void **state)
+{
+    (void)state;
+    for (long_from = 2; long_from <= 6; long_from++) {
+        const claim c = {.name = "long in high degrees",
+                         .scope = "",
+                         .degree_low = 1,
+                         .degree_high = 5,
+                         .degree_sampled = 5,
+                         .body = {[RATIONAL_TYPE] = long_in_high_degrees_q}};
+        const claim_result r = {.claim = &c};
+        struct recorded_case recorded[MOST_RECORDED];
+        int count;
+        char *text = certificate_of_claim(&r, &count, recorded);
+        assert_int_equal(count, long_from == 2 ? 1 : 2);
+        assert_int_equal(recorded[0].degree, long_from - 1);
+        assert_int_equal(recorded[count - 1].degree, 1);
+        region_faults = 0;
+        free(text);
+    }
+}
+
+/* A field that had no room at first is recorded from anew: the program that was broken off is no part of the certificate. */
+static void many_variables_f(trial *T)
+{
+    num_f sum = from_int_f(0);
+    for (int k = 0; k < 20; k++)
+        sum = add_f(sum, unknown_f(T, "x", k));
+    same_f(T, sum, T->planted ? from_int_f(1) : sum);
+}
+static void a_crowded_field_is_recorded_anew(void **state)
+{
+    (void)state;
+    const claim c = {.name = "many variables", .scope = "", .body = {[FIELD_TYPE] = many_variables_f}};
+    claim_result *r = judge_one(&c);
+    assert_true(r->as_expected);
+    struct recorded_case recorded[MOST_RECORDED];
+    int count, steps = 0;
+    char *text = certificate_of_claim(r, &count, recorded);
+    assert_int_equal(count, 1);
+    assert_int_equal(recorded[0].inputs, 20);
+    assert_int_equal(recorded[0].compared, 1);
+    for (const char *at = text; (at = strstr(at, "{\"same\"")) != NULL; at++)
+        steps++;
+    assert_int_equal(steps, 1);
+    free(text);
+    free_results(r, 1);
 }
 
 /* Twelve conditions of two facts; two inputs, in whose names a bracket stands. */
@@ -880,6 +1276,81 @@ static void simple_numbers_are_of_their_kind(void **state)
         }
 }
 
+/* The simplest numbers of each kind, in their order. */
+static void simple_numbers_are_in_order(void **state)
+{
+    (void)state;
+    static const struct {
+        enum input_kind kind;
+        const char *number[8];
+    } list[] = {{ANY_NUMBER, {"0", "1", "-1", "2", "-2", "3", "-3", "4"}},
+                {POSITIVE_NUMBER, {"1", "2", "1/2", "3", "1/3", "4", "1/4", "5"}},
+                {PARAMETER, {"1/2", "1/3", "2/3", "1/4", "1/2", "3/4", "1/5", "2/5"}},
+                {FRACTION, {"1/2", "1/3", "2/3", "1/4", "1/2", "3/4", "1/5", "2/5"}},
+                {WHOLE_NUMBER, {"-3", "-2", "-1", "0", "1", "2", "2", "2"}}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (int rank = 0; rank < 8; rank++) {
+            struct small_input in = {.rank = rank};
+            struct small_data data = {.at = &in, .count = 1};
+            trial T = {.small = &data};
+            (void)small_number(&T, "a", -1, list[k].kind, -3, 2);
+            assert_string_equal(in.value, list[k].number[rank]);
+            free(in.value);
+        }
+}
+
+/* A number that got simpler may let one before it get simpler as well.  Here the first has rank 4 until all others have rank 0. */
+static void simplifies_in_turns_q(trial *T)
+{
+    num_q x = unknown_q(T, "x", -1);
+    int others = 0;
+    for (int k = 0; k < 5; k++)
+        others |= cagd_sign_q(unknown_q(T, "y", k)) != 0;
+    int fails = cagd_equal_q(x, from_int_q(-2)) || (!others && cagd_equal_q(x, from_int_q(2)));
+    same_q(T, from_int_q(fails), from_int_q(T->planted ? 2 : 0));
+}
+static void numbers_are_simplified_in_turns(void **state)
+{
+    (void)state;
+    const claim c = {.name = "in turns", .scope = "", .body = {[RATIONAL_TYPE] = simplifies_in_turns_q}};
+    exhibit *shown;
+    int count;
+    find_witness(&c, &shown, &count);
+    assert_true(count > 2);
+    assert_string_equal(shown[0].value, "2");
+    assert_string_equal(shown[1].name, "y0 to y4");
+    assert_string_equal(shown[1].value, "0, 0, 0, 0, 0");
+    forget_exhibits(shown, count);
+}
+
+/* An instance whose result is not the stated one is a mistake of the block, and no witness. */
+static void is_mistaken_but_at_two_q(trial *T)
+{
+    num_q x = unknown_q(T, "x", -1);
+    found_q(T, "x", x);
+    same_q(T, x, from_int_q(T->planted ? 9 : 7));
+}
+static void a_mistake_is_no_witness(void **state)
+{
+    (void)state;
+    static const char *const two[] = {"2"};
+    const datum list[] = {{.name = "x", .text = "2", .rows = 1, .columns = 1, .value = two, .place = IN_RESULT},
+                          {.name = NULL}};
+    const claim c = {
+        .name = "mistaken", .scope = "", .data = list, .body = {[RATIONAL_TYPE] = is_mistaken_but_at_two_q}};
+    exhibit *shown;
+    int count;
+    find_witness(&c, &shown, &count);
+    assert_true(count > 0);
+    assert_string_equal(shown[0].name, "x");
+    assert_string_equal(shown[0].value, "2");
+    int told = 0; /* once, although the body shows it as well */
+    for (int k = 0; k < count; k++)
+        told += strcmp(shown[k].name, "x") == 0;
+    assert_int_equal(told, 1);
+    forget_exhibits(shown, count);
+}
+
 /* More inputs than the search remembers. */
 static void more_inputs_than_are_kept_q(trial *T)
 {
@@ -942,6 +1413,23 @@ int main(void)
                                        unit(a_search_among_more_inputs_than_are_kept),
                                        unit(a_long_case_is_recorded_where_it_is_alone),
                                        unit(rows_of_numbers_are_told_by_their_ends),
-                                       unit(the_search_for_a_witness_leaves_the_faults)};
+                                       unit(the_search_for_a_witness_leaves_the_faults),
+                                       unit(degree_nought_is_shown),
+                                       unit(a_phrase_is_looked_for_in_the_whole_list),
+                                       unit(what_is_stated_is_apart_from_what_is_more),
+                                       unit(nouns_are_whole),
+                                       unit(ranges_of_several_letters),
+                                       unit(numbers_are_told_in_their_letters),
+                                       unit(conditions_that_are_said),
+                                       unit(greek_letters_are_left_by_both_names),
+                                       unit(cases_that_are_alike_are_told),
+                                       unit(words_of_both_kinds),
+                                       unit(one_reading_that_fails_is_enough),
+                                       unit(a_correction_is_told_as_a_print),
+                                       unit(simple_numbers_are_in_order),
+                                       unit(numbers_are_simplified_in_turns),
+                                       unit(a_mistake_is_no_witness),
+                                       unit(the_highest_degree_that_is_not_too_long),
+                                       unit(a_crowded_field_is_recorded_anew)};
     return run_unit_tests(tests);
 }
