@@ -66,7 +66,8 @@ struct tally {
     int verdict[VERDICTS];
     int total;
 };
-static int tally_statements(const statement_result *list, int count, struct tally tally[], int room)
+/* Into an array that has an entry for each statement, and so for each source. */
+static int tally_statements(const statement_result *list, int count, struct tally tally[])
 {
     int sources = 0;
     for (int k = 0; k < count; k++) {
@@ -75,29 +76,27 @@ static int tally_statements(const statement_result *list, int count, struct tall
         int s = 0;
         while (s < sources && strcmp(tally[s].source, key) != 0)
             s++;
-        if (s == sources && sources < room) {
-            tally[sources] = (struct tally){.total = 0};
+        if (s == sources)
             memcpy(tally[sources++].source, key, sizeof key);
-        }
-        if (s < room) {
-            tally[s].verdict[list[k].verdict]++;
-            tally[s].total++;
-        }
+        tally[s].verdict[list[k].verdict]++;
+        tally[s].total++;
     }
     return sources;
 }
 
 static void print_tally(FILE *out, const statement_result *list, int count)
 {
-    enum { SOURCES = 16 };
-    struct tally t[SOURCES];
-    int sources = tally_statements(list, count, t, SOURCES);
+    struct tally *t = calloc((size_t)count + 1, sizeof *t);
+    if (t == NULL)
+        abort();
+    int sources = tally_statements(list, count, t);
     fprintf(out, "%-18s %10s %6s %12s %6s %10s %5s %11s\n", "source", "statements", "hold", "conditional", "fail",
             "undecided", "open", "definitions");
     for (int k = 0; k < sources; k++)
         fprintf(out, "%-18s %10d %6d %12d %6d %10d %5d %11d\n", t[k].source, t[k].total, t[k].verdict[VERDICT_HOLDS],
                 t[k].verdict[VERDICT_CONDITIONAL], t[k].verdict[VERDICT_FAILS], t[k].verdict[VERDICT_UNDECIDED],
                 t[k].verdict[VERDICT_OPEN], t[k].verdict[VERDICT_DEFINITION]);
+    free(t);
 }
 
 static int is_among(const char *const ids[], const statement *s)

@@ -7,6 +7,7 @@
 #include "chapters/judge/words.h"
 #include "cli/commands.h"
 #include "cli/digest.h"
+#include "cli/junit.h"
 #include "cli/report.h"
 
 #include <signal.h>
@@ -193,6 +194,21 @@ static const statement lost_statements[] = {
     {.id = NULL}};
 /* A claim in intervals alone; one whose control is not caught; one reading that words argue for; a class where nothing fails. */
 static void never_caught_q(trial *T) { agree(T, 1); }
+static void is_five_q(trial *T)
+{
+    num_q x = given_q(T, "x"), y = given_q(T, "y");
+    found_q(T, "x + y", add_q(x, y));
+    found_q(T, "x - y", sub_q(x, y));
+    same_q(T, x, from_int_q(fault(T, 3, 5)));
+}
+static const datum two_data[] = {
+    {.name = "x", .text = "3", .rows = 1, .columns = 1, .value = VALUES("3")},
+    {.name = "y", .text = "1/2", .rows = 1, .columns = 1, .value = VALUES("1/2")},
+    {.name = "x + y", .text = "7/2", .rows = 1, .columns = 1, .value = VALUES("7/2"), .place = IN_RESULT},
+    {.name = "x - y", .text = "5/2", .rows = 1, .columns = 1, .value = VALUES("5/2"), .place = IN_RESULT},
+    {.name = NULL}};
+static const claim five = {TEXTS("three_is_five", "two", 95), .kind = COUNTEREXAMPLE,
+                           .body = {[RATIONAL_TYPE] = is_five_q}, .data = two_data};
 static const claim few_claims[] = {
     {TEXTS("enclosed_sum", "two", 70), .body = {[INTERVAL_TYPE] = double_i}},
     {TEXTS("decided_in_double", "two", 75), .kind = DECISION, .body = {[DOUBLE_TYPE] = double_m}},
@@ -252,6 +268,36 @@ static statement told_statements[] = {
          LINKS({READING, "missing", "because it is so", "one way", NULL},
                {READING, "powers_commute", NULL, "another way", NULL}, {READING, "missing", NULL, "a third way", NULL},
                {READING, "decided_in_double", "because it is so", "a fourth way", NULL})},
+    {.id = NULL}};
+/* What a claim does for statements, in every role, once and beside others; claims that decide a reading together; hypotheses that
+ * are shown to be needed, and words alone. */
+static const statement role_statements[] = {
+    {STATEMENT("1", "book", 1, "", "", "", ""),
+     .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL}, {CONFIRMED_BY, "sum_is_double", NULL, "", NULL})},
+    {STATEMENT("2", "book", 2, "", "x < 3 & x > 1", "", ""),
+     .links = LINKS({CORRECTED_BY, "square_is_product", NULL, "", NULL},
+                    {CORRECTED_BY, "powers_commute", NULL, "", NULL}, {CORRECTED_BY, "three_squared", NULL, "", NULL})},
+    {STATEMENT("3", "paper", 3, "false", "", "", ""),
+     .links = LINKS({HYPOTHESIS, NULL, NULL, "$x = 7$", NULL}, {REFUTED_BY, "three_is_four", NULL, "", NULL},
+                    {REFUTED_BY, "three_is_five", NULL, "", NULL}, {NEEDS, NULL, "page 9", "$x = 8$", NULL})},
+    {STATEMENT("4", "paper", 4, "", "", "", ""),
+     .links = LINKS(
+         {HOLDS_BY, "square_is_product", NULL, "", NULL}, {HYPOTHESIS, "three_is_five", NULL, "$x > 0$", NULL},
+         {HYPOTHESIS, "three_is_four", NULL, "$x > 1$", NULL}, {HYPOTHESIS, NULL, NULL, "$x > 2$", NULL},
+         {NEEDS, "three_is_four", "page 7", "$x > 3$", NULL}, {NEEDS, "three_is_five", "page 8", "$x > 4$", NULL})},
+    {STATEMENT("5", "edited", 5, "", "", "", ""),
+     .links = LINKS(
+         {READING, "square_is_product", NULL, "one way", NULL}, {READING_WITH, "three_squared", NULL, "", NULL},
+         {READING_WITH, "powers_commute", NULL, "", NULL}, {READING, "sum_is_double", NULL, "another way", NULL},
+         {READING_WITH, "square_is_product", NULL, "", NULL}, {READING, "three_is_five", NULL, "a third way", NULL})},
+    {STATEMENT("6", "edited", 6, "", "", "", ""), .is_definition = 1,
+     .links = LINKS({CHECKED_BY, "three_squared", NULL, "", NULL}, {CHECKED_BY, "square_is_product", NULL, "", NULL},
+                    {CHECKED_BY, "powers_commute", NULL, "", NULL})},
+    {STATEMENT("7", "unlisted", 7, "", "", "", ""),
+     .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL}, {HOLDS_BY, "powers_commute", NULL, "", NULL},
+                    {HOLDS_BY, "three_squared", NULL, "", NULL}, {ARGUED, NULL, "x > 7", "first words", NULL},
+                    {MEANT, NULL, "page 1", "one thing", NULL}, {CITES, NULL, "[edited], 5", "a theorem", NULL},
+                    {ARGUED, NULL, "", "other words", NULL}, {CITES, NULL, "[paper], 6", "another theorem", NULL})},
     {.id = NULL}};
 /* The entries of a table: one that holds, one with a misprint, one under a hypothesis, one that nobody decided, with a print of several lines. */
 static const statement table_statements[] = {
@@ -630,6 +676,179 @@ static void squeeze(char *text)
     *to = '\0';
 }
 
+/* The pages of all statements and all claims of a register are those of the file. */
+static void all_pages(const cagd_register *reg, const char *expected)
+{
+    char *all = NULL, *out;
+    size_t size;
+    FILE *file = open_memstream(&all, &size);
+    assert_non_null(file);
+    for (const statement *s = reg->statements; s->id != NULL; s++) {
+        (void)CALL(show, reg, &out, s->id);
+        fputs(out, file);
+        free(out);
+    }
+    for (const claim *c = reg->claims; c->name != NULL; c++) {
+        (void)CALL(show, reg, &out, c->name);
+        fputs(out, file);
+        free(out);
+    }
+    fclose(file);
+    assert_expected(expected, all);
+    free(all);
+}
+
+/* Whatever comes out, in all forms: controls that were not caught, errors without end, claims that fail in intervals alone. */
+static void outcomes_of_every_kind(void **state)
+{
+    (void)state;
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &few, "verify-few.txt", "-j1");
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &told, "verify-told.txt", "-j1");
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &told, "verify-told.tap", "-j1", "--tap");
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &told, "verify-told.json", "-j1", "--json");
+}
+
+/* A claim is told in every role that it has for a statement; claims that decide a reading together, the words for a statement, and
+ * what each hypothesis is shown by, stand where they belong. */
+static void every_role_is_told(void **state)
+{
+    (void)state;
+    claim of_roles[GOOD + 2];
+    memcpy(of_roles, claims, GOOD * sizeof *claims);
+    of_roles[GOOD] = five;
+    of_roles[GOOD + 1] = (claim){.name = NULL};
+    const cagd_register roles = {of_roles, role_statements, chapters, figures, sources, NULL, NULL, NULL};
+    all_pages(&roles, "show-roles.txt");
+    SAYS(EXIT_AS_EXPECTED, ledger, &roles, "ledger-roles.txt", "-j1");
+    SAYS(EXIT_AS_EXPECTED, ledger, &roles, "ledger-roles.json", "-j1", "--json");
+    char folder[] = "/tmp/test_command_XXXXXX", path[64], command[128], *out;
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(CALL(verify, &roles, &out, "-j1", "--certificates", folder), EXIT_AS_EXPECTED);
+    free(out);
+    snprintf(path, sizeof path, "%s/manifest.json", folder);
+    char *text = text_of(path);
+    assert_expected("manifest-roles.json", text);
+    free(text);
+    snprintf(command, sizeof command, "rm -r '%s'", folder);
+    assert_int_equal(system(command), 0);
+}
+
+/* Sources are counted in the order in which they come, however many they are. */
+static void every_source_is_counted(void **state)
+{
+    (void)state;
+    enum { SOURCES = 40 };
+    static char id[SOURCES * 2][16];
+    statement of_sources[SOURCES * 2 + 1] = {{.id = NULL}};
+    for (int k = 0; k < SOURCES * 2; k++) {
+        of_sources[k] = good_statements[0];
+        snprintf(id[k], sizeof id[k], "source%d:%d", k % SOURCES, k);
+        of_sources[k].id = id[k];
+    }
+    cagd_register reg = good;
+    reg.statements = of_sources;
+    char *out;
+    assert_int_equal(CALL(ledger, &reg, &out, "-j1", "--summary"), EXIT_AS_EXPECTED);
+    const char *line = strchr(out, '\n');
+    for (int k = 0; k < SOURCES; k++) {
+        char expected[128];
+        snprintf(expected, sizeof expected, "\n%s%-12d %10d %6d %12d %6d %10d %5d %11d\n", "source", k, 2, 2, 0, 0, 0,
+                 0, 0);
+        assert_int_equal(strncmp(line, expected, strlen(expected)), 0);
+        line = strchr(line + 1, '\n');
+    }
+    assert_string_equal(line, "\n");
+    free(out);
+}
+
+/* Values are told up to 300 columns. */
+static char as_many[302];
+static void shows_many_q(trial *T)
+{
+    show_text(T, "many", "%s", as_many);
+    agree(T, 0);
+}
+static void long_values_are_cut(void **state)
+{
+    (void)state;
+    claim list[] = {{TEXTS("shows_many", "two", 95), .kind = DECISION, .body = {[RATIONAL_TYPE] = shows_many_q}},
+                    {.name = NULL}};
+    const cagd_register reg = {list, bad_statements, chapters, figures, sources, NULL, NULL, NULL};
+    for (size_t length = 299; length <= 301; length++) {
+        memset(as_many, 'a', sizeof as_many - 1);
+        as_many[length] = '\0';
+        char *out, expected[400];
+        assert_int_equal(CALL(verify, &reg, &out, "-j1", "shows_many"), EXIT_NOT_AS_EXPECTED);
+        snprintf(expected, sizeof expected, "       many = %.300s%s\n", as_many, length > 300 ? " ..." : "");
+        assert_non_null(strstr(out, expected));
+        free(out);
+    }
+}
+
+/* Whatever the texts of a case are, the file is XML. */
+static void letters_of_xml_are_escaped(void **state)
+{
+    (void)state;
+    char path[] = "/tmp/test_command_XXXXXX";
+    int file = mkstemp(path);
+    assert_true(file >= 0);
+    close(file);
+    struct junit *j = junit_new();
+    junit_add(j, "a<b", "c&d", 0.25, NULL, NULL);
+    junit_add(j, "e>f", "g\"h", 1.5, "i<j & k", "l > m \"n\"");
+    junit_add(j, "o", "p", 0, "", "");
+    assert_int_equal(junit_write(j, "suite", path), 0);
+    char *text = text_of(path);
+    assert_string_equal(text,
+                        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                        "<testsuite name=\"suite\" tests=\"3\" failures=\"2\" errors=\"0\" time=\"1.750\">\n"
+                        "  <testcase classname=\"a&lt;b\" name=\"c&amp;d\" time=\"0.250\"/>\n"
+                        "  <testcase classname=\"e&gt;f\" name=\"g&quot;h\" time=\"1.500\">\n"
+                        "    <failure message=\"i&lt;j &amp; k\">l &gt; m &quot;n&quot;</failure>\n  </testcase>\n"
+                        "  <testcase classname=\"o\" name=\"p\" time=\"0.000\">\n"
+                        "    <failure message=\"\"></failure>\n  </testcase>\n"
+                        "</testsuite>\n");
+    free(text);
+    remove(path);
+    assert_int_equal(junit_write(junit_new(), "none", "/dev/full"), -1);
+}
+
+/* What cannot be written ends with the status of it, whichever file or folder it is: of the claims, of a source, of its first and
+ * its last statement; and what can be written is there. */
+static void what_cannot_be_written_is_told(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *before, *option;
+        int good, lost; /* -1: of a source, or a rank, that the others do not have */
+    } list[] = {{"true", "--certificates", EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+                {"touch claims", "--certificates", EXIT_INTERNAL, EXIT_INTERNAL},
+                {"touch book", "--certificates", EXIT_INTERNAL, EXIT_INTERNAL},
+                {"touch paper", "--certificates", EXIT_INTERNAL, -1},
+                {"mkdir -p book/1.json", "--certificates", EXIT_INTERNAL, EXIT_INTERNAL},
+                {"mkdir -p paper/8.json", "--certificates", EXIT_INTERNAL, -1},
+                {"mkdir -p claims/variable_is_itself.json", "--certificates", EXIT_INTERNAL, EXIT_INTERNAL},
+                {"ln -s /dev/full manifest.json", "--certificates", EXIT_INTERNAL, EXIT_INTERNAL},
+                {"true", "--report", EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+                {"ln -s /dev/full ledger.txt", "--report", EXIT_INTERNAL, EXIT_INTERNAL},
+                {"ln -s /dev/full summary.txt", "--report", EXIT_INTERNAL, EXIT_INTERNAL},
+                {"ln -s /dev/full striking.txt", "--report", EXIT_INTERNAL, -1},
+                {"ln -s /dev/full ledger.json", "--report", EXIT_INTERNAL, EXIT_INTERNAL}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (int is_lost = 0; is_lost < (list[k].lost < 0 ? 1 : 2); is_lost++) {
+            char folder[] = "/tmp/test_command_XXXXXX", command[256], *out;
+            assert_non_null(mkdtemp(folder));
+            snprintf(command, sizeof command, "cd '%s' && %s", folder, list[k].before);
+            assert_int_equal(system(command), 0);
+            int code = CALL(verify, is_lost ? &lost : &good, &out, "-j1", list[k].option, folder);
+            if (code != (is_lost ? list[k].lost : list[k].good))
+                fail_msg("%s, %s, %d: %d", list[k].before, list[k].option, is_lost, code);
+            free(out);
+            snprintf(command, sizeof command, "rm -r '%s'", folder);
+            assert_int_equal(system(command), 0);
+        }
+}
+
 /* The pages say what was decided, by how many, and what speaks against it; how they are laid out is another matter. */
 static void pages_say(void **state)
 {
@@ -683,28 +902,6 @@ static void pages_say(void **state)
     SAYS(EXIT_NOT_AS_EXPECTED, show, &bad, "show-bad-statement.txt", "book:2");
     SAYS(EXIT_AS_EXPECTED, show, &good, "show-claim.json", "--json", "three_is_four");
     SAYS(EXIT_AS_EXPECTED, show, &good, "show-statement.json", "--json", "book:3");
-}
-
-/* The pages of all statements and all claims of a register are those of the file. */
-static void all_pages(const cagd_register *reg, const char *expected)
-{
-    char *all = NULL, *out;
-    size_t size;
-    FILE *file = open_memstream(&all, &size);
-    assert_non_null(file);
-    for (const statement *s = reg->statements; s->id != NULL; s++) {
-        (void)CALL(show, reg, &out, s->id);
-        fputs(out, file);
-        free(out);
-    }
-    for (const claim *c = reg->claims; c->name != NULL; c++) {
-        (void)CALL(show, reg, &out, c->name);
-        fputs(out, file);
-        free(out);
-    }
-    fclose(file);
-    assert_expected(expected, all);
-    free(all);
 }
 
 /* The pages of all statements, of all claims and of a table, as they are laid out. */
@@ -844,6 +1041,12 @@ int main(void)
         unit(what_is_told_fits),
         unit(examples_of_statements),
         unit(files_say),
+        unit(outcomes_of_every_kind),
+        unit(every_role_is_told),
+        unit(every_source_is_counted),
+        unit(long_values_are_cut),
+        unit(letters_of_xml_are_escaped),
+        unit(what_cannot_be_written_is_told),
     };
     for (claim *c = claims; c->name != NULL; c++)
         if (strcmp(c->name, "three_squared") == 0)
