@@ -728,7 +728,23 @@ static void every_role_is_told(void **state)
     snprintf(path, sizeof path, "%s/manifest.json", folder);
     char *text = text_of(path);
     assert_expected("manifest-roles.json", text);
+    json_t *manifest = json_loads(text, 0, NULL);
     free(text);
+    /* Every statement that is not open has its certificate, whatever stands before it: the one of which the manifest has the digest. */
+    const json_t *certified = json_object_get(manifest, "statements");
+    assert_int_equal(json_array_size(certified), 6);
+    for (size_t k = 0; k < json_array_size(certified); k++) {
+        const json_t *one = json_array_get(certified, k);
+        char id[32], digest[DIGEST];
+        snprintf(id, sizeof id, "%s", json_string_value(json_object_get(one, "statement")));
+        *strchr(id, ':') = '/';
+        snprintf(path, sizeof path, "%s/%s.json", folder, id);
+        text = text_of(path);
+        digest_of_text(text, digest);
+        assert_string_equal(digest, json_string_value(json_object_get(one, "sha256")));
+        free(text);
+    }
+    json_decref(manifest);
     snprintf(command, sizeof command, "rm -r '%s'", folder);
     assert_int_equal(system(command), 0);
 }
@@ -758,6 +774,81 @@ static void every_source_is_counted(void **state)
         line = strchr(line + 1, '\n');
     }
     assert_string_equal(line, "\n");
+    free(out);
+}
+
+/* The report has the three most striking statements, as the ledger tells three. */
+static void the_three_most_striking_are_reported(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/test_command_XXXXXX", path[64], command[128], *out;
+    statement four[sizeof told_statements / sizeof *told_statements];
+    memcpy(four, told_statements, sizeof four);
+    four[1].striking = 3;
+    cagd_register reg = told;
+    reg.statements = four;
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(CALL(verify, &reg, &out, "-j1", "--report", folder), EXIT_NOT_AS_EXPECTED);
+    free(out);
+    snprintf(path, sizeof path, "%s/striking.txt", folder);
+    char *text = text_of(path);
+    (void)CALL(ledger, &reg, &out, "-j1", "--striking", "3");
+    assert_string_equal(text, out);
+    free(out);
+    (void)CALL(ledger, &reg, &out, "-j1", "--striking", "4");
+    assert_string_not_equal(text, out);
+    free(out);
+    free(text);
+    snprintf(command, sizeof command, "rm -r '%s'", folder);
+    assert_int_equal(system(command), 0);
+}
+
+/* A source is the one whose key is that of the statement, whatever other keys begin so; and the literature is that of all claims
+ * and of all citations, whatever stands before them. */
+static void sources_are_found_by_their_whole_key(void **state)
+{
+    (void)state;
+    static const source keys[] = {{"bookshelf", "Ann", "A shelf", "", "1990", "Press", "", "n"},
+                                  {"boo", "Bob", "A fright", "", "1991", "Press", "", "n"},
+                                  {"book", "Cid", "A book", "", "1992", "Press", "", "n"},
+                                  {"paper", "Dan", "A paper", "", "1993", "Press", "", "n"},
+                                  {"note", "Eve", "A note", "", "1994", "Press", "", "n"},
+                                  {"first", "Fay", "A first", "", "1995", "Press", "", "n"},
+                                  {.key = NULL}};
+    claim methods[GOOD + 1];
+    memcpy(methods, good_claims, sizeof methods);
+    static const char *const method[] = {"as in [first]", "alone", "as in [paper]"};
+    for (int k = 0; k < GOOD; k++)
+        methods[k].method = method[k < 3 ? k : 1];
+    const statement of_book[] = {
+        {STATEMENT("1", "book", 1, "", "", "", ""),
+         .links = LINKS({HOLDS_BY, "square_is_product", NULL, "", NULL}, {ARGUED, NULL, "n > 9", "words", NULL},
+                        {CITES, NULL, "[note], 5", "a theorem", NULL}, {HOLDS_BY, "sum_is_double", NULL, "", NULL},
+                        {HOLDS_BY, "sum_is_double_in_degrees", NULL, "", NULL})},
+        {.id = NULL}};
+    const cagd_register reg = {methods, of_book, chapters, figures, keys, NULL, NULL, NULL};
+    char *out;
+    assert_int_equal(CALL(show, &reg, &out, "book:1"), EXIT_AS_EXPECTED);
+    assert_non_null(strstr(out, "\nCid: A book, 1992\n"));
+    const char *literature = strstr(out, "\nLiterature\n");
+    assert_non_null(literature);
+    assert_string_equal(literature,
+                        "\nLiterature\n    paper Dan: A paper, Press, 1993\n    note Eve: A note, Press, 1994\n"
+                        "    first Fay: A first, Press, 1995\n");
+    free(out);
+}
+
+/* An error that is no number is told as none, as an infinite one is. */
+static void is_no_number_m(trial *T) { same_m(T, exact_m(0.0 / (T->degree + 0.0)), exact_m(1)); }
+static void an_error_that_is_no_number(void **state)
+{
+    (void)state;
+    claim list[] = {{TEXTS("is_no_number", "two", 95), .kind = DECISION, .body = {[DOUBLE_TYPE] = is_no_number_m}},
+                    {.name = NULL}};
+    const cagd_register reg = {list, bad_statements, chapters, figures, sources, NULL, NULL, NULL};
+    char *out;
+    assert_int_equal(CALL(verify, &reg, &out, "-j1", "--json"), EXIT_NOT_AS_EXPECTED);
+    assert_non_null(strstr(out, "\"largest_error_over_bound\": null"));
     free(out);
 }
 
@@ -1045,6 +1136,9 @@ int main(void)
         unit(every_role_is_told),
         unit(every_source_is_counted),
         unit(long_values_are_cut),
+        unit(the_three_most_striking_are_reported),
+        unit(sources_are_found_by_their_whole_key),
+        unit(an_error_that_is_no_number),
         unit(letters_of_xml_are_escaped),
         unit(what_cannot_be_written_is_told),
     };

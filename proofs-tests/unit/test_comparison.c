@@ -87,6 +87,27 @@ static void intervals_refute_and_confirm_no_equality(void **state)
     done(&T);
 }
 
+/* Whichever comes first, the widest is kept, and the largest part of a bound. */
+static void the_worst_of_three_is_kept(void **state)
+{
+    (void)state;
+    static const int orders[][3] = {{1, 2, 4}, {1, 4, 2}, {2, 1, 4}, {2, 4, 1}, {4, 1, 2}, {4, 2, 1}};
+    for (size_t k = 0; k < sizeof orders / sizeof *orders; k++) {
+        trial T = tried(), U = tried();
+        for (int m = 0; m < 3; m++) {
+            int width = orders[k][m];
+            same_i(&T, between(0, width), from_int_i(0));
+            same_m(&U, (num_m){1 + 2 * unit_roundoff, 16.0 / width, 0}, exact_m(1)); /* 2 u of 16 u / width */
+        }
+        assert_true(T.worst == 4);
+        assert_true(U.worst > 0.49 && U.worst <= 0.5);
+        assert_int_equal(T.outcome, UNDECIDED);
+        assert_int_equal(U.outcome, HOLDS);
+        done(&T);
+        done(&U);
+    }
+}
+
 static void signs_in_every_type(void **state)
 {
     (void)state;
@@ -639,6 +660,8 @@ static void unable_confirms_nothing(void **state)
 
 static void any_degree_q(trial *T) { same_q(T, from_int_q(T->degree), from_int_q(T->degree + T->planted)); }
 
+static void agrees_always(trial *T) { agree(T, 1); }
+
 /* Intervals that meet refute nothing, so a counterexample in them alone is none; nor do they decide: they enclose. */
 static void meet_i(trial *T) { same_i(T, from_int_i(1), T->planted ? from_int_i(2) : from_int_i(1)); }
 static void meet_in_both_i(trial *T) { (void)T, same_i(T, from_int_i(1), from_int_i(1)); }
@@ -660,6 +683,52 @@ static void intervals_that_meet_are_no_decision(void **state)
         assert_true(r->by[INTERVAL_TYPE].control_caught);
         assert_int_equal(r->as_expected, list[k].as_expected);
         assert_int_equal(r->evidence, list[k].evidence);
+        free_results(r, 1);
+    }
+}
+
+/* One number type in which a claim fails is enough, whichever it is, and whatever could not be said in another one. */
+#define CAN_FAIL(S)                                                                                                    \
+    static void fails_##S(trial *T) { same_##S(T, from_int_##S(1), from_int_##S(2)); }                                 \
+    static void is_one_##S(trial *T) { same_##S(T, from_int_##S(1), from_int_##S(T->planted ? 2 : 1)); }
+CAN_FAIL(f)
+CAN_FAIL(q)
+CAN_FAIL(i)
+CAN_FAIL(m)
+static void one_type_that_fails_is_enough(void **state)
+{
+    (void)state;
+    static void (*const fails[])(trial *) = {fails_f, fails_q, fails_i, fails_m};
+    static void (*const holds[])(trial *) = {is_one_f, is_one_q, is_one_i, is_one_m};
+    static void (*const unable[])(trial *) = {unable_f, unable_q, unable_i, unable_m};
+    for (unsigned failing = 0; failing < 1u << NUMBER_TYPES; failing++)
+        for (int open = 0; open < 2; open++) {
+            claim c = {.name = "one type", .scope = ""};
+            for (number_type t = 0; t < NUMBER_TYPES; t++)
+                c.body[t] = failing >> t & 1 ? fails[t] : open ? unable[t] : holds[t];
+            claim_result *r = judge_one(&c);
+            int is_open = failing == 0 && open;
+            assert_int_equal(r->outcome, failing != 0 ? FAILS : is_open ? UNDECIDED : HOLDS);
+            assert_int_equal(r->as_expected, failing == 0 && !open);
+            assert_int_equal(r->evidence, failing == 0 && !open ? PROVED : NO_EVIDENCE);
+            free_results(r, 1);
+        }
+}
+
+/* A control that is caught in every number type but one. */
+static void every_type_has_its_control(void **state)
+{
+    (void)state;
+    static void (*const uncaught[])(trial *) = {NULL, NULL, meet_in_both_i, NULL};
+    static void (*const holds[])(trial *) = {is_one_f, is_one_q, is_one_i, is_one_m};
+    for (number_type wrong = 0; wrong < NUMBER_TYPES; wrong++) {
+        claim c = {.name = "controls", .scope = "", .body = {holds[0], holds[1], holds[2], holds[3]}};
+        c.body[wrong] = uncaught[wrong] != NULL ? uncaught[wrong] : agrees_always;
+        claim_result *r = judge_one(&c);
+        for (number_type t = 0; t < NUMBER_TYPES; t++)
+            assert_int_equal(r->by[t].control_caught, t != wrong);
+        assert_false(r->as_expected);
+        assert_int_equal(r->outcome, UNDECIDED);
         free_results(r, 1);
     }
 }
@@ -899,6 +968,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         unit(binary64_differs_by_its_bounds),
         unit(intervals_refute_and_confirm_no_equality),
+        unit(the_worst_of_three_is_kept),
         unit(signs_in_every_type),
         unit(variables_whose_sign_was_used),
         unit(signs_of_single_letters),
@@ -918,6 +988,8 @@ int main(void)
         unit(what_nobody_asks_for),
         unit(unable_confirms_nothing),
         unit(intervals_that_meet_are_no_decision),
+        unit(one_type_that_fails_is_enough),
+        unit(every_type_has_its_control),
         unit(controls_of_all_cases),
         unit(every_case_has_its_seed),
         unit(a_claim_without_a_letter_has_degrees_n),

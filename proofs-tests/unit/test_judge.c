@@ -808,7 +808,7 @@ static void test_an_instance_that_is_not_found(void **state)
         claim_result *r = judge_one(&list[k]);
         assert_int_equal(r->outcome, k == 0 ? UNDECIDED : FAILS);
         assert_int_equal(r->witnesses, 0);
-        assert_true(runs_of_search < 1000);
+        assert_true(runs_of_search <= 400 + 3); /* with the case that fails, which is told, and its control */
         free_results(r, 1);
     }
 }

@@ -324,6 +324,8 @@ static void names_and_what_they_stand_for(void **state)
                 {"alpha; beta", "alpha beta", "beta", "every β", NULL},
                 {"e: ε; beta", "e beta", "varepsilon x", "every ε", NULL}, /* the last one of all */
                 {"w#: weights; v#: equal weights", "w0 v0", NULL, "all equal weights", NULL},
+                {"w#: widths; v#: equal weights", "w0 v0", NULL, "all widths and equal weights", NULL},
+                {"w#; beta#", "w0 w1 beta2", NULL, "all w and β", NULL}, /* which stand for themselves */
                 {"a; b; c", "a b c", "b", "every b, every positive a",
                  "a"}}; /* what is positive is asked for, whoever named it */
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
@@ -660,6 +662,48 @@ static void what_is_stated_is_apart_from_what_is_more(void **state)
         }
 }
 
+/* What a phrase says of data it says wherever it stands; and so does a condition of a letter. */
+static void what_is_said_of_data_behind_other_phrases(void **state)
+{
+    (void)state;
+    static const char *const said[] = {"the knots", "0 < s < 1"};
+    for (int k = 0; k < 2; k++)
+        for (int place = 0; place < 3; place++) {
+            char phrases_of[64], expected[128];
+            snprintf(phrases_of, sizeof phrases_of, "%s; %s; %s", place == 0 ? said[k] : "a",
+                     place == 1 ? said[k] : "b", place == 2 ? said[k] : "c");
+            scope s = scope_that_says(phrases_of, 0, "t#: knots; s", "t1 s");
+            snprintf(expected, sizeof expected, "%s; %s", phrases_of, k == 0 ? "every s" : "all knots");
+            assert_words(&s, "n", expected);
+            add_condition(&s, "s > 7");
+            add_condition(&s, "u > 7");
+            snprintf(expected, sizeof expected, "%s; %s%s", phrases_of, k == 0 ? "" : "all knots, ",
+                     "where s > 7, and u > 7");
+            assert_words(&s, "n", expected);
+            free_scope(&s);
+        }
+}
+
+/* Which phrases are narrower is kept from the claim that knows it, wherever that one stands. */
+static void the_table_is_kept(void **state)
+{
+    (void)state;
+    static const char table[] = "narrow | wide";
+    for (int place = 0; place < 3; place++) {
+        scope s = {.within = NULL};
+        for (int k = 0; k < 3; k++) {
+            const scope other = {.within = k == place ? table : NULL};
+            meet_scope(&s, &other);
+        }
+        assert_ptr_equal(s.within, table);
+        add_condition(&s, "wide");
+        add_condition(&s, "narrow");
+        add_condition(&s, "wide");
+        assert_words(&s, "n", "where narrow");
+        free_scope(&s);
+    }
+}
+
 /* A noun that begins another one is one of its own, whichever comes first, in one claim and in two. */
 static void nouns_are_whole(void **state)
 {
@@ -851,6 +895,21 @@ static void one_reading_that_fails_is_enough(void **state)
         assert_true(r.as_expected);
         assert_int_equal(r.verdict, fails == 3 ? VERDICT_HOLDS : VERDICT_UNDECIDED);
         free_statement_result(&r);
+    }
+}
+
+/* A reading is told in the letter of its statement. */
+static void a_reading_is_told_in_the_letter(void **state)
+{
+    (void)state;
+    static const char *const letter[] = {"n", "k", "degree", "", NULL}, *const told[] = {"n = 1 to 4", "k = 2 to 5",
+                                                                                         "degree 1 to 4", "n = 1 to 4",
+                                                                                         "n = 1 to 4"};
+    for (int k = 0; k < 5; k++) {
+        const statement s = {.id = "source:1", .letter = letter[k], .links = LINKS(BY(READING, "low"))};
+        finding f = finding_of_reading(&s, s.links, results, RESULTS);
+        assert_string_equal(f.scope, told[k]);
+        free_finding(&f);
     }
 }
 
@@ -1323,6 +1382,56 @@ static void numbers_are_simplified_in_turns(void **state)
     forget_exhibits(shown, count);
 }
 
+/* Each of the simplest numbers is tried with each: the claim fails for one pair of them alone. */
+static int first_of_pair, second_of_pair;
+static void fails_for_one_pair_q(trial *T)
+{
+    num_q x = unknown_q(T, "x", -1), y = unknown_q(T, "y", -1);
+    int fails = cagd_equal_q(x, from_int_q(first_of_pair)) && cagd_equal_q(y, from_int_q(second_of_pair));
+    same_q(T, from_int_q(fails), from_int_q(T->planted ? 2 : 0));
+}
+static void every_pair_of_simple_numbers_is_tried(void **state)
+{
+    (void)state;
+    const claim c = {.name = "one pair", .scope = "", .body = {[RATIONAL_TYPE] = fails_for_one_pair_q}};
+    for (first_of_pair = -1; first_of_pair <= 1; first_of_pair++)
+        for (second_of_pair = -1; second_of_pair <= 1; second_of_pair++) {
+            exhibit *shown;
+            int count;
+            char value[2][8];
+            find_witness(&c, &shown, &count);
+            assert_true(count >= 2);
+            snprintf(value[0], sizeof value[0], "%d", first_of_pair);
+            snprintf(value[1], sizeof value[1], "%d", second_of_pair);
+            for (int k = 0; k < 2; k++) {
+                assert_string_equal(shown[k].name, k == 0 ? "x" : "y");
+                assert_string_equal(shown[k].value, value[k]);
+            }
+            forget_exhibits(shown, count);
+        }
+}
+
+/* Numbers to 3 and parts to 1/4 are tried, alone. */
+static int only_at;
+static void fails_at_one_number_q(trial *T)
+{
+    int fails = cagd_equal_q(positive_q(T, "w", -1), only_at > 0 ? from_int_q(only_at) : from_ratio_q(1, -only_at));
+    same_q(T, from_int_q(fails), from_int_q(T->planted ? 2 : 0));
+}
+static void numbers_are_tried_up_to_the_last_rank(void **state)
+{
+    (void)state;
+    const claim c = {.name = "one number", .scope = "", .body = {[RATIONAL_TYPE] = fails_at_one_number_q}};
+    for (only_at = -5; only_at <= 5; only_at++)
+        if (only_at != 0 && only_at != -1) {
+            exhibit *shown;
+            int count;
+            find_witness(&c, &shown, &count);
+            assert_int_equal(count > 0, only_at >= -4 && only_at <= 4);
+            forget_exhibits(shown, count);
+        }
+}
+
 /* An instance whose result is not the stated one is a mistake of the block, and no witness. */
 static void is_mistaken_but_at_two_q(trial *T)
 {
@@ -1430,6 +1539,11 @@ int main(void)
                                        unit(numbers_are_simplified_in_turns),
                                        unit(a_mistake_is_no_witness),
                                        unit(the_highest_degree_that_is_not_too_long),
-                                       unit(a_crowded_field_is_recorded_anew)};
+                                       unit(a_crowded_field_is_recorded_anew),
+                                       unit(what_is_said_of_data_behind_other_phrases),
+                                       unit(the_table_is_kept),
+                                       unit(every_pair_of_simple_numbers_is_tried),
+                                       unit(numbers_are_tried_up_to_the_last_rank),
+                                       unit(a_reading_is_told_in_the_letter)};
     return run_unit_tests(tests);
 }
