@@ -186,7 +186,7 @@ static const char *class_words(const char *class)
                                                       : "";
 }
 
-/* Hypotheses, whether the source states them or not, each with what goes wrong without it. */
+/* Hypotheses, whether the source states them or not, each with what goes wrong without it, as far as that was shown. */
 static void print_hypotheses(const statement *s, const claim_result *results, int count)
 {
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
@@ -197,7 +197,7 @@ static void print_hypotheses(const statement *s, const claim_result *results, in
         if (l->role == NEEDS && l->place != NULL)
             labelled("stated in", l->place, INDENT);
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
-        if (c != NULL) {
+        if (c != NULL && c->as_expected) {
             paragraph("Without it:", INDENT);
             print_counterexample(c);
         }
@@ -209,7 +209,7 @@ static void print_counterexamples(const statement *s, const claim_result *result
     int number = 0;
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
         const claim_result *c = l->role == REFUTED_BY ? result_of(l->claim, results, count) : NULL;
-        if (c == NULL)
+        if (c == NULL || !c->as_expected)
             continue;
         heading(number++ == 0 ? "Counterexample" : "Another counterexample");
         print_counterexample(c);

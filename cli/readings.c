@@ -33,9 +33,21 @@ void print_meant(const statement *s)
 
 enum reading_state { READING_TRUE, READING_FALSE, READING_OPEN, READING_STATES };
 
-static enum reading_state state_of(const claim_result *c)
+/* A claim that is not as expected decides nothing. */
+static enum reading_state state_by(const claim_result *c)
 {
-    return c == NULL ? READING_OPEN : c->claim->kind == COUNTEREXAMPLE ? READING_FALSE : READING_TRUE;
+    return c == NULL || !c->as_expected       ? READING_OPEN
+           : c->claim->kind == COUNTEREXAMPLE ? READING_FALSE
+                                              : READING_TRUE;
+}
+
+/* What the claim of a reading says of it, as long as all that stand with it are as expected. */
+static enum reading_state state_of(const statement_link *reading, const claim_result *results, int count)
+{
+    for (const statement_link *l = reading + 1; l->role == READING_WITH && l->claim != NULL; l++)
+        if (state_by(result_of(l->claim, results, count)) == READING_OPEN)
+            return READING_OPEN;
+    return state_by(reading->claim != NULL ? result_of(reading->claim, results, count) : NULL);
 }
 
 /* How a reading is known, in the words of a verdict, with an argument beside its claims or without.  The caller frees. */
@@ -43,13 +55,14 @@ static char *known_of_reading(const statement *s, const statement_link *reading,
 {
     const claim_result *c = reading->claim != NULL ? result_of(reading->claim, results, count) : NULL;
     char *text = NULL;
-    if (c == NULL) {
+    const enum reading_state state = state_of(reading, results, count);
+    if (c == NULL || state == READING_OPEN) {
         text = strdup("not decided");
         if (text == NULL)
             abort();
         return text;
     }
-    if (state_of(c) == READING_FALSE) {
+    if (state == READING_FALSE) {
         if (asprintf(&text, "%s by a counterexample", evidence_name[c->evidence]) < 0)
             abort();
         return text;
@@ -68,10 +81,9 @@ void print_readings(const statement *s, const claim_result *results, int count)
     for (const statement_link *l = s->links; l->claim != NULL || l->text != NULL; l++) {
         if (l->role != READING)
             continue;
-        const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
         char *known = known_of_reading(s, l, results, count), *plain = tex_to_layout(l->text, 1),
              *how = tex_to_layout(known, 1);
-        printf("%*s%2d  %-7s", INDENT, "", ++number, told[state_of(c)]);
+        printf("%*s%2d  %-7s", INDENT, "", ++number, told[state_of(l, results, count)]);
         put_behind(stdout, plain, INDENT + 11, INDENT + 11, page_width(WIDEST));
         put_paragraph(stdout, how, INDENT + 11, page_width(WIDEST));
         if (l->place != NULL)
@@ -116,7 +128,7 @@ static void put_readings_in(FILE *out, const statement *s, enum reading_state wa
         if (l->role != READING)
             continue;
         number++;
-        if (state_of(l->claim != NULL ? result_of(l->claim, results, count) : NULL) != wanted)
+        if (state_of(l, results, count) != wanted)
             continue;
         fprintf(out, "%s%s", put > 0 ? "; " : told[wanted], put > 0 ? "" : ": ");
         put_in_short(out, l->text);
@@ -165,7 +177,7 @@ void print_deciding_claims(const statement *s, const claim_result *results, int 
             continue;
         number += l->role == READING;
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
-        if (state_of(c) != READING_TRUE || is_shown_above(s, l) || is_a_step(s, l->claim))
+        if (state_by(c) != READING_TRUE || is_shown_above(s, l) || is_a_step(s, l->claim))
             continue;
         char text[64];
         snprintf(text, sizeof text, "What decides reading %d", number);
@@ -189,7 +201,7 @@ void print_failing_readings(const statement *s, const claim_result *results, int
         if (l->role != READING)
             continue;
         const claim_result *c = l->claim != NULL ? result_of(l->claim, results, count) : NULL;
-        if (c != NULL && c->claim->kind == COUNTEREXAMPLE && !is_shown_above(s, l)) {
+        if (state_by(c) == READING_FALSE && !is_shown_above(s, l)) {
             char text[64];
             snprintf(text, sizeof text, "Counterexample to reading %d", number + 1);
             heading(text);

@@ -91,6 +91,9 @@ json_t *claim_json(const claim_result *r)
                      evidence_name[r->evidence], "scope", r->scope, "types", types, "small_instance", small);
 }
 
+/* Whether it is a counterexample, and does refute. */
+static int is_shown_false(const claim_result *c) { return c->claim->kind == COUNTEREXAMPLE && c->as_expected; }
+
 static json_t *counterexample_json(const claim_result *r)
 {
     char *line = exhibits_line(r);
@@ -142,13 +145,14 @@ json_t *statement_json(const statement_result *r, const claim_result *results, i
                 known |= strcmp(json_string_value(json_array_get(claims, k)), l->claim) == 0;
             if (!known)
                 json_array_append_new(claims, json_string(l->claim));
-            if (against == NULL && (l->role == REFUTED_BY || l->role == HYPOTHESIS) && c->claim->kind == COUNTEREXAMPLE)
+            if (against == NULL && (l->role == REFUTED_BY || l->role == HYPOTHESIS) && is_shown_false(c))
                 against = c;
         }
         if (l->role == HYPOTHESIS || l->role == NEEDS)
             json_array_append_new(l->role == NEEDS ? needed : hypotheses,
                                   json_pack("{s:s, s:s*, s:o}", "hypothesis", l->text, "stated_in", l->place,
-                                            "without_it", c != NULL ? counterexample_json(c) : json_null()));
+                                            "without_it",
+                                            c != NULL && c->as_expected ? counterexample_json(c) : json_null()));
         if (l->role == ARGUED || l->role == CITES || l->role == MEANT)
             json_array_append_new(
                 words, json_pack("{s:s, s:s, s:s}", "is", role_key[l->role], "place", l->place, "text", l->text));

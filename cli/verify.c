@@ -91,7 +91,7 @@ static void put_row(const claim_result *r, int name_width)
     enum style colour = !r->as_expected ? BAD : r->claim->kind == COUNTEREXAMPLE ? WARN : GOOD;
     printf("  %s%s%s ", style(stdout, colour), mark, style(stdout, PLAIN));
     put_padded(stdout, r->claim->name, name_width + 1);
-    put_padded(stdout, r->claim->kind == COUNTEREXAMPLE ? "refutes" : evidence_name[r->evidence], 10);
+    put_padded(stdout, r->as_expected && r->claim->kind == COUNTEREXAMPLE ? "refutes" : evidence_name[r->evidence], 10);
     char types[8] = "", *at = types;
     for (number_type t = 0; t < NUMBER_TYPES; t++)
         *at++ = r->by[t].ran ? "fqid"[t] : '-';

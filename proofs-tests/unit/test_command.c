@@ -838,6 +838,42 @@ static void sources_are_found_by_their_whole_key(void **state)
     free(out);
 }
 
+/* A counterexample that refutes nothing is none in any form, and a statement that it should refute is open; what one refutes that needs
+ * words is false by these. */
+static void is_three_q(trial *T) { same_q(T, given_q(T, "x"), from_int_q(3)); }
+static void counterexamples_that_are_none(void **state)
+{
+    (void)state;
+    claim list[] = {{TEXTS("three_is_three", "two", 96), .kind = COUNTEREXAMPLE, .body = {[RATIONAL_TYPE] = is_three_q},
+                     .data = only_three},
+                    {TEXTS("three_is_four", "two", 40), .kind = COUNTEREXAMPLE, .body = {[RATIONAL_TYPE] = is_four_q},
+                     .data = three},
+                    {TEXTS("decided_in_double", "two", 97), .kind = DECISION, .body = {[DOUBLE_TYPE] = double_m}},
+                    {.name = NULL}};
+    list[1].argued = list[2].argued = "words";
+    const statement of_these[] = {
+        {STATEMENT("1", "book", 1, "false", "", "", ""), .links = FALSE_BY("three_is_three")},
+        {STATEMENT("2", "book", 2, "false", "", "", ""), .links = FALSE_BY("three_is_four")},
+        {STATEMENT("3", "book", 3, "", "", "", ""),
+         .links = LINKS(
+             {HOLDS_BY, "decided_in_double", NULL, "", NULL}, {READING, "three_is_three", NULL, "one way", NULL},
+             {READING, "decided_in_double", NULL, "another way", NULL},
+             {READING_WITH, "decided_in_double", NULL, "", NULL}, {READING_WITH, "three_is_three", NULL, "", NULL},
+             {READING, "decided_in_double", NULL, "a third way", NULL})},
+        {STATEMENT("4", "book", 4, "false", "", "", ""),
+         .links = LINKS({HOLDS_BY, "decided_in_double", NULL, "", NULL},
+                        {HYPOTHESIS, "three_is_three", NULL, "$x > 0$", NULL},
+                        {NEEDS, "three_is_three", "page 7", "$x > 1$", NULL},
+                        {REFUTED_BY, "three_is_three", NULL, "", NULL}, {REFUTED_BY, "three_is_four", NULL, "", NULL})},
+        {.id = NULL}};
+    const cagd_register reg = {list, of_these, chapters, figures, sources, NULL, NULL, NULL};
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &reg, "verify-none.txt", "-j1");
+    SAYS(EXIT_NOT_AS_EXPECTED, verify, &reg, "verify-none.tap", "-j1", "--tap");
+    SAYS(EXIT_NOT_AS_EXPECTED, ledger, &reg, "ledger-none.txt", "-j1");
+    SAYS(EXIT_NOT_AS_EXPECTED, ledger, &reg, "ledger-none.json", "-j1", "--json");
+    all_pages(&reg, "show-none.txt");
+}
+
 /* An error that is no number is told as none, as an infinite one is. */
 static void is_no_number_m(trial *T) { same_m(T, exact_m(0.0 / (T->degree + 0.0)), exact_m(1)); }
 static void an_error_that_is_no_number(void **state)
@@ -1139,6 +1175,7 @@ int main(void)
         unit(the_three_most_striking_are_reported),
         unit(sources_are_found_by_their_whole_key),
         unit(an_error_that_is_no_number),
+        unit(counterexamples_that_are_none),
         unit(letters_of_xml_are_escaped),
         unit(what_cannot_be_written_is_told),
     };

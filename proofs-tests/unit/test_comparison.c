@@ -87,6 +87,46 @@ static void intervals_refute_and_confirm_no_equality(void **state)
     done(&T);
 }
 
+/* What is just as far as its bounds allow is not refuted, the next binary64 is; what is no number is. */
+static void a_bound_is_allowed_itself(void **state)
+{
+    (void)state;
+    const num_m at = {0, 1, 0}, wide = {0, 0x1p60, 3};
+    for (int k = 0; k < 2; k++) {
+        const num_m zero = k == 0 ? at : wide;
+        const double bound = error_bound_m(zero), beyond = nextafter(bound, INFINITY);
+        for (int sign = -1; sign <= 1; sign += 2) {
+            trial T = tried();
+            same_m(&T, zero, exact_m(sign * bound));
+            assert_int_equal(T.outcome, HOLDS);
+            assert_true(T.worst == 1);
+            same_m(&T, exact_m(sign * beyond), zero);
+            assert_int_equal(T.outcome, FAILS);
+            done(&T);
+        }
+        trial T = tried();
+        nonnegative_m(&T, (num_m){-bound, zero.e, zero.k});
+        assert_int_equal(T.outcome, HOLDS);
+        nonnegative_m(&T, (num_m){-beyond, zero.e, zero.k});
+        assert_int_equal(T.outcome, FAILS);
+        done(&T);
+    }
+    static const struct {
+        double value;
+        outcome sign;
+    } list[] = {{NAN, FAILS}, {-INFINITY, FAILS}, {INFINITY, HOLDS}, {-0.0, HOLDS}, {0.0, HOLDS}, {-0x1p-1074, FAILS}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        trial T = tried();
+        nonnegative_m(&T, exact_m(list[k].value));
+        assert_int_equal(T.outcome, list[k].sign);
+        assert_int_equal(T.exhibits, list[k].sign == FAILS);
+        done(&T);
+        same_m(&T, exact_m(list[k].value), exact_m(0));
+        assert_int_equal(T.outcome, list[k].value == 0 ? HOLDS : FAILS); /* -0 is 0 */
+        done(&T);
+    }
+}
+
 /* Whichever comes first, the widest is kept, and the largest part of a bound. */
 static void the_worst_of_three_is_kept(void **state)
 {
@@ -968,6 +1008,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         unit(binary64_differs_by_its_bounds),
         unit(intervals_refute_and_confirm_no_equality),
+        unit(a_bound_is_allowed_itself),
         unit(the_worst_of_three_is_kept),
         unit(signs_in_every_type),
         unit(variables_whose_sign_was_used),

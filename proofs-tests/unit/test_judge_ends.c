@@ -662,6 +662,30 @@ static void what_is_stated_is_apart_from_what_is_more(void **state)
         }
 }
 
+/* Of two scopes that have data each has some that the other one lacks, by their whole names; data without a name are of one kind. */
+static void data_are_told_apart_by_their_whole_names(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"a",   "b",   "c",     "d",       "a b", "b c",
+                                        "a d", "c d", "a b c", "a b c d", "b a", "d c a"};
+    enum { NAMES = sizeof names / sizeof *names };
+    for (int i = 0; i < NAMES; i++)
+        for (int j = 0; j < NAMES; j++) {
+            int alone[2] = {0};
+            for (char c = 'a'; c <= 'd'; c++) {
+                int mine = strchr(names[i], c) != NULL, yours = strchr(names[j], c) != NULL;
+                alone[0] |= mine && !yours;
+                alone[1] |= yours && !mine;
+            }
+            scope s = scope_that_says("", 4, "a: gap; b: gaps; c: gaps above", names[i]),
+                  other = scope_that_says("", 4, "a: gap; b: gaps; c: gaps above", names[j]);
+            meet_scope(&s, &other);
+            assert_int_equal(s.mixed, alone[0] && alone[1]);
+            free_scope(&s);
+            free_scope(&other);
+        }
+}
+
 /* What a phrase says of data it says wherever it stands; and so does a condition of a letter. */
 static void what_is_said_of_data_behind_other_phrases(void **state)
 {
@@ -1540,6 +1564,7 @@ int main(void)
                                        unit(a_mistake_is_no_witness),
                                        unit(the_highest_degree_that_is_not_too_long),
                                        unit(a_crowded_field_is_recorded_anew),
+                                       unit(data_are_told_apart_by_their_whole_names),
                                        unit(what_is_said_of_data_behind_other_phrases),
                                        unit(the_table_is_kept),
                                        unit(every_pair_of_simple_numbers_is_tried),
