@@ -40,6 +40,9 @@ static void title(const char *english, const char *chinese, const char *id, cons
     put_formatted("%s\5 (%s:%d)", id, file, line);
 }
 
+/* Whether it is a text, and not the word for none. */
+static int is_known(const char *text) { return text[0] != '\0' && strcmp(text, "unknown") != 0; }
+
 /* The text that the statement is from: "Wang Guojin et al.: 计算机辅助几何设计 (...), chapter 3, 2001". */
 static void print_source_of(const cagd_register *reg, const statement *s)
 {
@@ -49,9 +52,8 @@ static void print_source_of(const cagd_register *reg, const statement *s)
         k++;
     if (k->key == NULL)
         return;
-    int first = (int)strcspn(k->author, ",("), many = k->author[first] == ',',
-        named = strcmp(k->author, "unknown") != 0;
-    int chinese = k->title_zh[0] != '\0', dated = k->year[0] != '\0' && strcmp(k->year, "unknown") != 0;
+    int first = (int)strcspn(k->author, ",("), many = k->author[first] == ',', named = is_known(k->author);
+    int chinese = k->title_zh[0] != '\0', dated = is_known(k->year);
     char text[1024];
     const char *between = k->part[0] != '\0' ? ", " : "";
     snprintf(text, sizeof text, "%.*s%s%s%s%s%s%s%s%s%s",
@@ -96,7 +98,10 @@ static void print_literature(const cagd_register *reg, const char *note, const s
             heading("Literature");
         if (wanted) {
             char line[1024];
-            snprintf(line, sizeof line, "%s  %s: %s, %s, %s", s->key, s->author, s->title, s->publisher, s->year);
+            const int named = is_known(s->author), published = is_known(s->publisher), dated = is_known(s->year);
+            snprintf(line, sizeof line, "%s  %s%s%s%s%s%s%s", s->key, named ? s->author : "", named ? ": " : "",
+                     s->title, published ? ", " : "", published ? s->publisher : "", dated ? ", " : "",
+                     dated ? s->year : "");
             paragraph(line, INDENT);
             first = 0;
         }

@@ -462,6 +462,14 @@ static void exit_status_is_that_of_the_verdicts(void **state)
         {&command_ledger, {"--json", "--summary"}, EXIT_USAGE, EXIT_USAGE},
         {&command_ledger, {"--json", "--striking", "1"}, EXIT_USAGE, EXIT_USAGE},
         {&command_ledger, {"--summary", "--striking", "1"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_ledger, {"--striking", "0"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_ledger, {"--striking", "101"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_ledger, {"--striking", "100"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
+        {&command_ledger, {"--striking", "1", "book:1"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+        {&command_verify, {"--shard", "1/0"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_verify, {"--shard", "1/1", "square_is_product"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
+        {&command_verify, {"--shard", "x/2"}, EXIT_USAGE, EXIT_USAGE},
+        {&command_verify, {"--shard", "1/2/3"}, EXIT_USAGE, EXIT_USAGE},
         {&command_show, {"book:1"}, EXIT_AS_EXPECTED, EXIT_AS_EXPECTED},
         {&command_show, {"book:2"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
         {&command_show, {"book:1", "book:2"}, EXIT_AS_EXPECTED, EXIT_NOT_AS_EXPECTED},
@@ -874,6 +882,38 @@ static void counterexamples_that_are_none(void **state)
     all_pages(&reg, "show-none.txt");
 }
 
+/* Of a source what is not known, whether the word or the empty text says so, is left out. */
+static void what_is_not_known_of_a_source(void **state)
+{
+    (void)state;
+    static const struct {
+        source source;
+        const char *line, *literature;
+    } list[] = {
+        {{"book", "Ann, Bob", "A book", "书", "1999", "Press", "chapter 1", "n"},
+         "Ann et al.: 书 (A book), chapter 1, 1999",
+         "book Ann, Bob: A book, Press, 1999"},
+        {{"book", "unknown", "A book", "", "unknown", "unknown", "", "n"}, "A book", "book A book"},
+        {{"book", "", "A book", "", "", "", "", "n"}, "A book", "book A book"},
+        {{"book", "Ann (editor)", "A book", "", "", "Press", "", "n"},
+         "Ann: A book",
+         "book Ann (editor): A book, Press"},
+        {{"book", "", "A book", "书", "1999", "", "part 2", "n"}, "书 (A book), part 2, 1999", "book A book, 1999"},
+        {{"book", "Ann", "A book", "", "unknown", "Press", "", "n"}, "Ann: A book", "book Ann: A book, Press"},
+    };
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        const source of[] = {list[k].source, {.key = NULL}};
+        const cagd_register reg = {good_claims, good_statements, chapters, figures, of, NULL, NULL, NULL};
+        char *out, line[128], literature[128];
+        assert_int_equal(CALL(show, &reg, &out, "book:1"), EXIT_AS_EXPECTED);
+        snprintf(line, sizeof line, ":1)\n%s\n\nPrinted\n", list[k].line);
+        snprintf(literature, sizeof literature, "\nLiterature\n    %s\n", list[k].literature);
+        if (strstr(out, line) == NULL || strstr(out, literature) == NULL)
+            fail_msg("%zu:\n%s", k, out);
+        free(out);
+    }
+}
+
 /* An error that is no number is told as none, as an infinite one is. */
 static void is_no_number_m(trial *T) { same_m(T, exact_m(0.0 / (T->degree + 0.0)), exact_m(1)); }
 static void an_error_that_is_no_number(void **state)
@@ -885,6 +925,24 @@ static void an_error_that_is_no_number(void **state)
     char *out;
     assert_int_equal(CALL(verify, &reg, &out, "-j1", "--json"), EXIT_NOT_AS_EXPECTED);
     assert_non_null(strstr(out, "\"largest_error_over_bound\": null"));
+    free(out);
+}
+
+/* Names and values are strings of YAML in TAP, whatever letters they have. */
+static void shows_quotes_q(trial *T)
+{
+    show_text(T, "a \"name\\", "%s", "a \"value\": \\ β\n");
+    agree(T, 0);
+}
+static void letters_of_yaml_are_escaped(void **state)
+{
+    (void)state;
+    claim list[] = {{TEXTS("shows_quotes", "two", 95), .kind = DECISION, .body = {[RATIONAL_TYPE] = shows_quotes_q}},
+                    {.name = NULL}};
+    const cagd_register reg = {list, bad_statements, chapters, figures, sources, NULL, NULL, NULL};
+    char *out;
+    assert_int_equal(CALL(verify, &reg, &out, "-j1", "--tap"), EXIT_NOT_AS_EXPECTED);
+    assert_non_null(strstr(out, "    - \"a \\\"name\\\\\": \"a \\\"value\\\": \\\\ β\\n\"\n"));
     free(out);
 }
 
@@ -1172,6 +1230,8 @@ int main(void)
         unit(every_role_is_told),
         unit(every_source_is_counted),
         unit(long_values_are_cut),
+        unit(letters_of_yaml_are_escaped),
+        unit(what_is_not_known_of_a_source),
         unit(the_three_most_striking_are_reported),
         unit(sources_are_found_by_their_whole_key),
         unit(an_error_that_is_no_number),

@@ -323,6 +323,23 @@ static void conditions_are_told(void **state)
     }
 }
 
+/* Told is what the comparison is about that fails, not another one. */
+static void what_a_comparison_is_about(void **state)
+{
+    (void)state;
+    static const char *const what[] = {"one", "two", "three"};
+    for (int failing = 0; failing < 3; failing++) {
+        trial T = tried();
+        for (int k = 0; k < 3; k++) {
+            about(&T, what[k]);
+            same_q(&T, from_int_q(k), from_int_q(k == failing ? 7 : k));
+        }
+        assert_string_equal(shown(&T, "compared"), what[failing]);
+        assert_int_equal(T.exhibits, 3);
+        done(&T);
+    }
+}
+
 /* After a division by zero, too, a difference is one; after what could not be computed there is none. */
 static void what_is_compared_after_a_fault(void **state)
 {
@@ -1016,6 +1033,7 @@ int main(void)
         unit(zero_in_every_type),
         unit(what_should_vanish_is_on_the_left),
         unit(conditions_are_told),
+        unit(what_a_comparison_is_about),
         unit(what_is_compared_after_a_fault),
         unit(shown_numbers_are_the_numbers),
         unit(comparisons_are_noted),

@@ -1095,6 +1095,10 @@ static void what_is_recorded_is_counted(void **state)
     assert_int_equal(count, 1);
     assert_int_equal(recorded[0].inputs, 2);
     assert_int_equal(recorded[0].facts, 24);
+    int formulas = 0; /* beside each condition the one that combines its facts */
+    for (const char *at = text; (at = strstr(at, "\"formula\":\"cagd_testify_equal_q(")) != NULL; at++)
+        formulas++;
+    assert_int_equal(formulas, 12);
     free(text);
     free_results(r, 1);
 }
@@ -1286,6 +1290,36 @@ static void rows_of_numbers_are_told_by_their_ends(void **state)
     for (int k = 0; k < 3; k++)
         assert_string_equal(shown[k].name, name[k]);
     forget_exhibits(shown, count);
+}
+
+/* A body may show several values of one name, which are all told; an index 0 is told, and of indices with gaps each. */
+static void shows_a_name_twice_q(trial *T)
+{
+    num_q x = unknown_q(T, "x", 0), y[] = {unknown_q(T, "y", 3), unknown_q(T, "y", 5), unknown_q(T, "y", 6)};
+    show_q(T, "P", from_int_q(7));
+    show_q(T, "P", from_int_q(8));
+    show_q(T, "x0", x);
+    same_q(T, add_q(x, add_q(y[0], add_q(y[1], y[2]))), from_int_q(T->planted ? 9 : 77));
+}
+static void all_values_of_one_name_are_told(void **state)
+{
+    (void)state;
+    static const char *const wanted[][2] = {{"x0", "0"}, {"y3", "0"},   {"y5 to y6", "0, 0"}, {"P", "7"},
+                                            {"P", "8"},  {"left", "0"}, {"right", "77"}};
+    enum { WANTED = sizeof wanted / sizeof *wanted };
+    const claim c = {.name = "twice", .scope = "", .body = {[RATIONAL_TYPE] = shows_a_name_twice_q}};
+    claim_result *r = judge_one(&c);
+    const type_result *b = &r->by[RATIONAL_TYPE];
+    assert_int_equal(r->witnesses, WANTED);
+    assert_int_equal(b->exhibits, WANTED);
+    for (int k = 0; k < WANTED; k++) {
+        assert_string_equal(r->witness[k].name, wanted[k][0]);
+        assert_string_equal(r->witness[k].value, wanted[k][1]);
+        assert_string_equal(b->shown[k].name, wanted[k][0]);
+        if (k == 3 || k == 4)
+            assert_string_equal(b->shown[k].value, wanted[k][1]);
+    }
+    free_results(r, 1);
 }
 
 /* What the case does not ask for is no part of it: y belongs to those that hold, which the search tried as well. */
@@ -1565,6 +1599,7 @@ int main(void)
                                        unit(the_highest_degree_that_is_not_too_long),
                                        unit(a_crowded_field_is_recorded_anew),
                                        unit(data_are_told_apart_by_their_whole_names),
+                                       unit(all_values_of_one_name_are_told),
                                        unit(what_is_said_of_data_behind_other_phrases),
                                        unit(the_table_is_kept),
                                        unit(every_pair_of_simple_numbers_is_tried),
