@@ -708,6 +708,45 @@ static void what_is_said_of_data_behind_other_phrases(void **state)
         }
 }
 
+/* The rows of the table are of whole phrases, the first and the last as any other; every phrase that is wider gives way. */
+static void rows_are_of_whole_phrases(void **state)
+{
+    (void)state;
+    static const char table[] = "ab | cd; ef|gh; ab c | c; b | dd; x | last";
+    static const struct {
+        const char *one, *other, *left;
+        int apart;
+    } list[] = {{"ab", "cd", "ab", 0},       {"ab", "c", "ab; c", 1},           {"a", "cd", "a; cd", 1},
+                {"abc", "cd", "abc; cd", 1}, {"ab", "cde", "ab; cde", 1},       {"ab c", "c", "ab c", 0},
+                {"ab", "d", "ab; d", 1},     {"b", "cd", "b; cd", 1},           {"b", "dd", "b", 0},
+                {"x", "last", "x", 0},       {"xx", "last", "xx; last", 1},     {"x", "las", "x; las", 1},
+                {"y; cd", "ab", "y; ab", 0}, {"y; z; cd", "ab", "y; z; ab", 0}, {"last; y; last", "x", "x; y", 0},
+                {"ab", "y; cd", "ab; y", 0}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (int knows = 1; knows < 4; knows++) {
+            scope s = scope_that_says(list[k].one, 0, "", ""), other = scope_that_says(list[k].other, 0, "", "");
+            s.within = knows & 1 ? table : NULL;
+            other.within = knows & 2 ? table : NULL;
+            meet_scope(&s, &other);
+            assert_int_equal(s.apart, list[k].apart);
+            int found_all = 0;
+            char left[64];
+            snprintf(left, sizeof left, "%s", list[k].left);
+            for (char *at = left, *rest; at != NULL; at = rest, found_all++) {
+                if ((rest = strstr(at, "; ")) != NULL)
+                    *rest = '\0', rest += 2;
+                int is_there = 0;
+                for (int m = 0; m < s.said.count; m++)
+                    is_there |= strcmp(s.said.at[m], at) == 0;
+                if (!is_there)
+                    fail_msg("%s and %s: %s", list[k].one, list[k].other, at);
+            }
+            assert_int_equal(s.said.count, found_all);
+            free_scope(&s);
+            free_scope(&other);
+        }
+}
+
 /* Which phrases are narrower is kept from the claim that knows it, wherever that one stands. */
 static void the_table_is_kept(void **state)
 {
@@ -1600,6 +1639,7 @@ int main(void)
                                        unit(a_crowded_field_is_recorded_anew),
                                        unit(data_are_told_apart_by_their_whole_names),
                                        unit(all_values_of_one_name_are_told),
+                                       unit(rows_are_of_whole_phrases),
                                        unit(what_is_said_of_data_behind_other_phrases),
                                        unit(the_table_is_kept),
                                        unit(every_pair_of_simple_numbers_is_tried),
