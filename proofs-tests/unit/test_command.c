@@ -914,6 +914,72 @@ static void what_is_not_known_of_a_source(void **state)
     }
 }
 
+/* Each number type is named whose control was not caught, in their order, and none that did not run. */
+static void controls_that_were_not_caught_are_named(void **state)
+{
+    (void)state;
+    for (unsigned ran = 0; ran < 1u << NUMBER_TYPES; ran++)
+        for (unsigned caught = 0; caught < 1u << NUMBER_TYPES; caught++) {
+            claim_result r = {.claim = &claims[0], .outcome = HOLDS};
+            char expected[256] = "holds, expected otherwise";
+            for (number_type t = 0; t < NUMBER_TYPES; t++) {
+                r.by[t].ran = ran >> t & 1, r.by[t].control_caught = caught >> t & 1;
+                if (r.by[t].ran && !r.by[t].control_caught)
+                    strcat(strcat(strcat(expected, "; "), number_type_name[t]), ": its control was not caught");
+            }
+            char *message = not_expected(&r);
+            assert_string_equal(message, expected);
+            free(message);
+        }
+}
+
+/* All claims that are not as expected stand on the page of a statement, and all names in full, however long. */
+static void everything_that_went_wrong_is_told(void **state)
+{
+    (void)state;
+    char name[201], path[512], folder[] = "/tmp/test_command_XXXXXX", command[128], *out;
+    memset(name, 'a', sizeof name - 1);
+    name[sizeof name - 1] = '\0';
+    claim list[] = {{TEXTS("one_is_two", "two", 50), .body = {[RATIONAL_TYPE] = is_not_q}},
+                    {TEXTS("square_is_product", "two", 90), .body = {[FIELD_TYPE] = square_f}},
+                    {TEXTS("nobody_knows", "two", 60), .body = {[FIELD_TYPE] = is_unable_f}},
+                    {TEXTS("never_caught", "two", 80), .body = {[RATIONAL_TYPE] = never_caught_q}},
+                    {TEXTS("long", "two", 99), .body = {[FIELD_TYPE] = square_f}},
+                    {.name = NULL}};
+    list[4].name = name;
+    char id[256];
+    snprintf(id, sizeof id, "book:%s", name);
+    statement of_these[] = {
+        {STATEMENT("1", "book", 1, "", "", "", ""),
+         .links = LINKS({HOLDS_BY, "one_is_two", NULL, "", NULL}, {HOLDS_BY, "square_is_product", NULL, "", NULL},
+                        {HOLDS_BY, "nobody_knows", NULL, "", NULL}, {HOLDS_BY, "never_caught", NULL, "", NULL})},
+        {STATEMENT("2", "book", 2, "", "", "", ""), .links = LINKS({HOLDS_BY, name, NULL, "", NULL})},
+        {.id = NULL}};
+    of_these[1].id = id;
+    const cagd_register reg = {list, of_these, chapters, figures, sources, NULL, NULL, NULL};
+    SAYS(EXIT_NOT_AS_EXPECTED, show, &reg, "show-all-wrong.txt", "book:1");
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(CALL(verify, &reg, &out, "-j1", "--certificates", folder), EXIT_NOT_AS_EXPECTED);
+    assert_non_null(strstr(out, name));
+    free(out);
+    static const char *const kinds[] = {"claims", "book"};
+    for (int k = 0; k < 2; k++) {
+        snprintf(path, sizeof path, "%s/%s/%s.json", folder, kinds[k], name);
+        char *text = text_of(path);
+        assert_non_null(strstr(text, name));
+        free(text);
+    }
+    snprintf(command, sizeof command, "rm -r '%s'", folder);
+    assert_int_equal(system(command), 0);
+    assert_int_equal(CALL(show, &reg, &out, name), EXIT_AS_EXPECTED);
+    squeeze(out);
+    snprintf(path, sizeof path, "first.%s (chapters/first/two.claims.h:99)", name);
+    assert_non_null(strstr(out, path));
+    snprintf(path, sizeof path, "book:%s Title of 2", name);
+    assert_non_null(strstr(out, path));
+    free(out);
+}
+
 /* An error that is no number is told as none, as an infinite one is. */
 static void is_no_number_m(trial *T) { same_m(T, exact_m(0.0 / (T->degree + 0.0)), exact_m(1)); }
 static void an_error_that_is_no_number(void **state)
@@ -1235,6 +1301,8 @@ int main(void)
         unit(the_three_most_striking_are_reported),
         unit(sources_are_found_by_their_whole_key),
         unit(an_error_that_is_no_number),
+        unit(controls_that_were_not_caught_are_named),
+        unit(everything_that_went_wrong_is_told),
         unit(counterexamples_that_are_none),
         unit(letters_of_xml_are_escaped),
         unit(what_cannot_be_written_is_told),
