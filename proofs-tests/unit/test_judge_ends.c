@@ -4,12 +4,14 @@
 
 #include "chapters/judge/case.h"
 #include "chapters/judge/certificate.h"
+#include "chapters/judge/memory_text.h"
 #include "chapters/judge/run.h"
 #include "chapters/judge/scope.h"
 #include "chapters/judge/witness.h"
 #include "chapters/judge/words.h"
 #include "exact/words.h"
 
+#include <malloc.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -1218,6 +1220,33 @@ static void links_are_a_list(void **state)
     }
 }
 
+/* A text that grows by one letter at a time, from a first part of any length on, has room for its end and says how long it is. */
+static void a_text_has_room_for_its_end(void **state)
+{
+    (void)state;
+    for (size_t first = 0; first <= 40; first++) {
+        char *text, expected[401];
+        size_t size;
+        FILE *out = text_open(&text, &size);
+        assert_string_equal(text, "");
+        memset(expected, 'b', sizeof expected - 1);
+        memset(expected, 'a', first);
+        fwrite(expected, 1, first, out);
+        for (size_t length = first; length < sizeof expected - 1; length++) {
+            assert_int_equal(fflush(out), 0);
+            assert_int_equal(ftell(out), length);
+            assert_int_equal(size, length);
+            assert_int_equal(strlen(text), length);
+            assert_true(malloc_usable_size(text) > length);
+            fputc('b', out);
+        }
+        text_close(out, &text);
+        expected[sizeof expected - 1] = '\0';
+        assert_string_equal(text, expected);
+        free(text);
+    }
+}
+
 /* A control that asks for what is not there is no control. */
 static void asks_in_its_control_q(trial *T)
 {
@@ -1640,6 +1669,7 @@ int main(void)
                                        unit(data_are_told_apart_by_their_whole_names),
                                        unit(all_values_of_one_name_are_told),
                                        unit(rows_are_of_whole_phrases),
+                                       unit(a_text_has_room_for_its_end),
                                        unit(what_is_said_of_data_behind_other_phrases),
                                        unit(the_table_is_kept),
                                        unit(every_pair_of_simple_numbers_is_tried),
