@@ -326,6 +326,475 @@ static void knots_at_the_end(void **state)
         assert_true(v[k] == expected[k]);
 }
 
+/* ---- every function by one table ---------------------------------------------------------------------- */
+
+/* The arguments of all functions, of which each takes its own. */
+struct arguments {
+    cagd_spline s;
+    const cagd_spline *spline;
+    double t;
+    cagd_side side;
+    int order, span;
+    double *out[6];
+    int *whole[2];
+};
+typedef struct arguments *A;
+enum { MOST_DEGREE = 6, MOST_POINTS = 20, LONGEST = 256, RESULTS = 6 };
+
+static cagd_status span_of(A x) { return cagd_spline_span(x->spline, x->t, x->side, x->whole[0]); }
+static cagd_status basis(A x) { return cagd_spline_basis(x->spline, x->t, x->side, x->order, x->whole[0], x->out[0]); }
+static cagd_status point(A x) { return cagd_spline_point(x->spline, x->t, x->side, x->out[0]); }
+static cagd_status derivatives(A x) { return cagd_spline_derivatives(x->spline, x->t, x->side, x->order, x->out[0]); }
+static cagd_status curvature(A x) { return cagd_spline_curvature(x->spline, x->t, x->side, x->out[0]); }
+static cagd_status torsion(A x) { return cagd_spline_torsion(x->spline, x->t, x->side, x->out[0]); }
+static cagd_status insert(A x) { return cagd_spline_insert(x->spline, x->t, x->out[0], x->out[1], x->out[2]); }
+static cagd_status bezier(A x) { return cagd_spline_bezier(x->spline, x->span, x->out[0], x->out[1]); }
+static cagd_status split_counts(A x) { return cagd_spline_split_counts(x->spline, x->t, x->whole[0], x->whole[1]); }
+static cagd_status split(A x)
+{
+    return cagd_spline_split(x->spline, x->t, x->out[0], x->out[1], x->out[2], x->out[3], x->out[4], x->out[5]);
+}
+static cagd_status elevated_count(A x) { return cagd_spline_elevated_count(x->spline, x->whole[0]); }
+static cagd_status elevate(A x) { return cagd_spline_elevate(x->spline, x->out[0], x->out[1], x->out[2]); }
+
+/* What a function takes: T a parameter, O an order, P the points.  How many results, the bits of those that are weights, and how many whole numbers. */
+static const struct {
+    cagd_status (*run)(A);
+    const char *takes;
+    int from_dim, results, weights, whole;
+} functions[] = {
+    {span_of, "T", 1, 0, 0, 1},       {basis, "TO", 1, 1, 0, 1},        {point, "TP", 1, 1, 0, 0},
+    {derivatives, "TPO", 1, 1, 0, 0}, {curvature, "TP", 2, 1, 0, 0},    {torsion, "TP", 3, 1, 0, 0},
+    {insert, "TP", 1, 3, 4, 0},       {bezier, "P", 1, 2, 2, 0},        {split_counts, "T", 1, 0, 0, 2},
+    {split, "TP", 1, 6, 36, 0},       {elevated_count, "", 1, 0, 0, 1}, {elevate, "P", 1, 3, 4, 0},
+};
+enum { FUNCTIONS = sizeof functions / sizeof functions[0] };
+static int takes(int k, char what) { return strchr(functions[k].takes, what) != NULL; }
+
+static double uniform(void)
+{
+    static unsigned long long x = 60317;
+    x = x * 6364136223846793005u + 1442695040888963407u;
+    return (double)(x >> 11) * 0x1p-53;
+}
+
+static double u_of[MOST_POINTS + MOST_DEGREE + 2], P_of[3 * MOST_POINTS + 1], w_of[MOST_POINTS + 1],
+    results[RESULTS][LONGEST];
+static int whole[2];
+static void mark(void)
+{
+    for (int r = 0; r < RESULTS; r++)
+        for (int m = 0; m < LONGEST; m++)
+            results[r][m] = 77;
+    whole[0] = whole[1] = 77;
+}
+static void nothing_is_written(void)
+{
+    for (int r = 0; r < RESULTS; r++)
+        for (int m = 0; m < LONGEST; m++)
+            assert_true(results[r][m] == 77);
+    assert_true(whole[0] == 77 && whole[1] == 77);
+}
+static void so_many_are_written(int r, int length)
+{
+    for (int m = 0; m < LONGEST; m++)
+        assert_int_equal(results[r][m] != 77, m < length);
+}
+
+/* Knots of all multiplicities that the degree allows, clamped or not, and a parameter inside the domain that is no knot; weights are powers of two. */
+static struct arguments some_spline(int degree, int count, int dim, int rational, int clamped)
+{
+    do {
+        double u = -2.3;
+        for (int i = 0, run = 1; i <= count + degree; i++) {
+            int end = clamped && (i <= degree || i >= count);
+            if (i == 0 || (clamped && (i == degree + 1 || i == count)) || (!end && (run > degree || uniform() < 0.6))) {
+                u += 0.1 + uniform();
+                run = 0;
+            }
+            u_of[i] = u;
+            run++;
+        }
+    } while (!(u_of[degree] < u_of[count]));
+    u_of[count + degree + 1] = NAN; /* nobody looks behind the last */
+    for (int m = 0; m < 3 * MOST_POINTS; m++)
+        P_of[m] = 10 * uniform() - 4;
+    for (int i = 0; i < MOST_POINTS; i++)
+        w_of[i] = (const double[]){1, 0.5, 4, 2, 0.25}[(int)(5 * uniform())];
+    P_of[count * dim] = w_of[count] = NAN;
+    int span = degree;
+    while (!(u_of[span] < u_of[span + 1]) || (span < count - 1 && uniform() < 0.5 && u_of[span + 1] < u_of[count]))
+        span++;
+    return (struct arguments){.s = {degree, count, dim, u_of, P_of, rational ? w_of : NULL},
+                              .t = u_of[span] + (u_of[span + 1] - u_of[span]) * (0.1 + 0.8 * uniform()),
+                              .order = 2,
+                              .span = span,
+                              .out = {results[0], results[1], results[2], results[3], results[4], results[5]},
+                              .whole = {whole, whole + 1}};
+}
+
+/* Homogeneous points of a curve; of one without weights the points. */
+static int homogeneous(const cagd_spline *s, double H[])
+{
+    if (s->weights != NULL)
+        rational_homogenize_d(s->count - 1, s->dim, s->points, s->weights, H);
+    else
+        memcpy(H, s->points, (size_t)(s->count * s->dim) * sizeof *H);
+    return s->dim + (s->weights != NULL);
+}
+/* Results r of points, and behind them of weights, are these homogeneous points. */
+static void are_points(const cagd_spline *s, int r, int count, const double H[])
+{
+    double R[LONGEST], w[LONGEST];
+    if (s->weights != NULL) {
+        rational_dehomogenize_d(count - 1, s->dim, H, R, w);
+        same(count, results[r + 1], w);
+        so_many_are_written(r + 1, count);
+    } else {
+        memcpy(R, H, (size_t)(count * s->dim) * sizeof *R);
+        so_many_are_written(r + 1, 0);
+    }
+    same(count * s->dim, results[r], R);
+    so_many_are_written(r, count * s->dim);
+}
+
+/* In degrees 0, ..., 6, of dimension 1 to 3, clamped or not, with weights or without, at knots of every multiplicity and between: the results
+ * are the kernel's, as many as the header says. */
+static void every_degree_and_dimension_has_the_kernels_values(void **state)
+{
+    (void)state;
+    enum { TRIALS = 252 };
+    int at_knots = 0, full = 0;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        int p = trial % (MOST_DEGREE + 1), n = p + 1 + (int)(uniform() * 10), dim = 1 + trial / 7 % 3, size;
+        struct arguments x = some_spline(p, n, dim, trial / 21 % 2, trial / 42 % 2);
+        const cagd_spline *s = x.spline = &x.s;
+        double H[LONGEST], a[LONGEST], b[LONGEST], c[LONGEST], d[LONGEST];
+        size = homogeneous(s, H);
+        const struct spline_d h = {p, n, size, u_of, H, NULL};
+        for (int knot = p - 1; knot <= n; knot++) {
+            if (knot >= p)
+                x.t = u_of[knot];
+            x.side = knot % 2 ? CAGD_LEFT : CAGD_RIGHT;
+            x.order = (knot + 1 + trial) % (p + 3);
+            int first = p, last = n - 1, mu = p, times = 0; /* the span by its definition */
+            while (!(u_of[first] < u_of[first + 1]))
+                first++;
+            while (!(u_of[last] < u_of[last + 1]))
+                last--;
+            for (int i = first; i <= last; i++)
+                if (x.side == CAGD_LEFT ? u_of[i] < x.t : u_of[i] <= x.t)
+                    mu = i;
+            mu = mu < first ? first : mu > last ? last : mu;
+            while (!(u_of[mu] < u_of[mu + 1]))
+                mu--;
+            for (int i = 0; i <= n + p; i++)
+                times += u_of[i] == x.t;
+            int right = mu; /* the span on the right of t */
+            while (right < last && u_of[right + 1] <= x.t)
+                right++;
+            at_knots += times > 0;
+            full += times == p + 1 && u_of[p] < x.t && x.t < u_of[n];
+            mark();
+            assert_int_equal(span_of(&x), CAGD_OK);
+            assert_int_equal(whole[0], mu);
+            mark();
+            assert_int_equal(basis(&x), CAGD_OK);
+            assert_int_equal(whole[0], mu);
+            bspline_basis_derivatives_d(p, u_of, mu, x.t, x.order, a);
+            same((x.order + 1) * (p + 1), results[0], a);
+            so_many_are_written(0, (x.order + 1) * (p + 1));
+            if (s->weights != NULL)
+                nurbs_derivatives_d(nurbs_on_span_d(p, dim, u_of, mu, P_of, w_of), x.t, x.order < 3 ? 3 : x.order, a);
+            else
+                bspline_derivatives_d(on_span_d(p, dim, u_of, mu, P_of), x.t, x.order < 3 ? 3 : x.order, a);
+            mark();
+            assert_int_equal(derivatives(&x), CAGD_OK);
+            same((x.order + 1) * dim, results[0], a);
+            so_many_are_written(0, (x.order + 1) * dim);
+            mark();
+            assert_int_equal(point(&x), CAGD_OK);
+            same(dim, results[0], a);
+            so_many_are_written(0, dim);
+            if (dim > 1 && p > 1) {
+                mark();
+                assert_int_equal(curvature(&x), CAGD_OK);
+                so_many_are_written(0, 1);
+                assert_true(fabs(results[0][0] - curvature_d(dim, a + dim, a + 2 * dim)) <= 1e-9 * results[0][0]);
+            }
+            if (dim > 2 && p > 2) {
+                mark();
+                assert_int_equal(torsion(&x), CAGD_OK);
+                so_many_are_written(0, 1);
+                assert_true(fabs(results[0][0] - torsion_d(a + 3, a + 6, a + 9)) <= 1e-6 * fabs(results[0][0]));
+            }
+            mark();
+            cagd_status expected = !(x.t < u_of[n]) ? CAGD_OUTSIDE_DOMAIN : times > p ? CAGD_KNOTS_MULTIPLE : CAGD_OK;
+            assert_int_equal(insert(&x), expected);
+            if (expected != CAGD_OK)
+                nothing_is_written();
+            else {
+                if (s->weights != NULL)
+                    nurbs_insert_d(s, right, x.t, b, a, c);
+                else
+                    bspline_insert_d(s, right, x.t, b, a);
+                same(n + p + 2, results[0], b);
+                same((n + 1) * dim, results[1], a);
+                so_many_are_written(0, n + p + 2);
+                so_many_are_written(1, (n + 1) * dim);
+                so_many_are_written(2, s->weights != NULL ? n + 1 : 0);
+                if (s->weights != NULL)
+                    same(n + 1, results[2], c);
+            }
+            mark();
+            expected = u_of[p] < x.t && x.t < u_of[n] ? CAGD_OK : CAGD_OUTSIDE_DOMAIN;
+            assert_int_equal(split_counts(&x), expected);
+            if (expected == CAGD_OK) {
+                assert_int_equal(whole[0], right - times + 1);
+                assert_int_equal(whole[1], n - right + p);
+                mark();
+                assert_int_equal(split(&x), CAGD_OK);
+                bspline_split_d(&h, right, times, x.t, a, b, c, d);
+                same(right - times + p + 2, results[0], a);
+                so_many_are_written(0, right - times + p + 2);
+                are_points(s, 1, right - times + 1, b);
+                same(n - right + 2 * p + 1, results[3], c);
+                so_many_are_written(3, n - right + 2 * p + 1);
+                are_points(s, 4, n - right + p, d);
+            } else {
+                nothing_is_written();
+                assert_int_equal(split(&x), CAGD_OUTSIDE_DOMAIN);
+                nothing_is_written();
+            }
+        }
+        for (x.span = p - 2; x.span <= n + 1; x.span++) {
+            int is_span = p <= x.span && x.span < n && u_of[x.span] < u_of[x.span + 1];
+            mark();
+            assert_int_equal(bezier(&x), is_span ? CAGD_OK : CAGD_OUTSIDE_DOMAIN);
+            if (is_span) {
+                bspline_to_bezier_d(on_span_d(p, size, u_of, x.span, H), a);
+                are_points(s, 0, p + 1, a);
+            } else
+                nothing_is_written();
+        }
+        int m, span[LONGEST];
+        mark();
+        assert_int_equal(elevated_count(&x), CAGD_OK);
+        m = whole[0];
+        assert_int_equal(elevate(&x), CAGD_OK);
+        so_many_are_written(0, m + p + 2);
+        double
+            raised[LONGEST]; /* every knot once more; of them p+2 up to the last u_p, and p+2 from the first u_n on */
+        int all = 0, start = 0, end = 0;
+        for (int i = 0; i <= n + p; i++)
+            for (int copies = i == n + p || u_of[i] < u_of[i + 1] ? 2 : 1; copies > 0; copies--)
+                raised[all++] = u_of[i];
+        for (int i = 0; i < all; i++) {
+            start = raised[i] == u_of[p] ? i - p - 1 : start;
+            end += raised[i] < u_of[n];
+        }
+        assert_int_equal(m, end - start);
+        same(m + p + 2, results[0], raised + start);
+        assert_true(spans_of_points_d(n, p, u_of, m, p + 1, results[0], span));
+        bspline_elevate_d(&h, m, results[0], span, a);
+        are_points(s, 1, m, a);
+    }
+    assert_true(at_knots > TRIALS && full > 10);
+}
+
+/* Each pointer to a result, and the spline, its knots and, where they are looked at, its points; a place for weights where there are any. */
+static void no_pointer_may_be_missing(void **state)
+{
+    (void)state;
+    for (int k = 0; k < FUNCTIONS; k++)
+        for (int rational = 0; rational < 2; rational++)
+            for (int which = -3; which < functions[k].results + functions[k].whole; which++) {
+                struct arguments x = some_spline(3, 9, 3, rational, 1);
+                int optional = which == -1 ? !takes(k, 'P')
+                                           : which >= 0 && which < functions[k].results && !rational &&
+                                                 (functions[k].weights >> which & 1);
+                x.spline = which == -3 ? NULL : &x.s;
+                if (which == -2)
+                    x.s.knots = NULL;
+                else if (which == -1)
+                    x.s.points = NULL;
+                else if (which >= functions[k].results)
+                    x.whole[which - functions[k].results] = NULL;
+                else if (which >= 0)
+                    x.out[which] = NULL;
+                mark();
+                assert_int_equal(functions[k].run(&x), optional ? CAGD_OK : CAGD_NULL);
+                if (!optional)
+                    nothing_is_written();
+            }
+}
+
+static void every_range_has_two_ends(void **state)
+{
+    (void)state;
+    static double clamped[4 * CAGD_MAX_DEGREE], P_of_many[3 * (2 * CAGD_MAX_DEGREE)],
+        many[CAGD_MAX_DEGREE + 2][LONGEST];
+    for (int k = 0; k < FUNCTIONS; k++) {
+        for (int degree = -2; degree <= CAGD_MAX_DEGREE + 2; degree++)
+            for (int more = -1; more <= 1; more++) {
+                struct arguments x = some_spline(3, 9, 3, 0, 1);
+                for (int i = 0; i < 2 * degree + 2 + more && i < 4 * CAGD_MAX_DEGREE; i++)
+                    clamped[i] = i <= degree ? 0 : i >= degree + 1 + more ? 1 : 0.5;
+                for (int m = 0; m < 3 * (2 * CAGD_MAX_DEGREE); m++)
+                    P_of_many[m] = uniform();
+                x.s = (cagd_spline){degree, degree + 1 + more, 3, clamped, P_of_many, NULL};
+                x.spline = &x.s;
+                x.t = 0.25, x.span = degree, x.order = 0;
+                for (int r = 0; r < RESULTS; r++)
+                    x.out[r] = many[10 * r]; /* ten lines for each result */
+                int highest = functions[k].run == elevate || functions[k].run == elevated_count ? CAGD_MAX_DEGREE - 1
+                                                                                                : CAGD_MAX_DEGREE;
+                cagd_status status = functions[k].run(&x), expected = degree < 0 || degree > highest ? CAGD_DEGREE
+                                                                      : more < 0                     ? CAGD_COUNT
+                                                                                                     : CAGD_OK;
+                if (degree > highest && more < 0)
+                    assert_true(status == CAGD_DEGREE || status == CAGD_COUNT);
+                else if (expected != CAGD_OK || (degree > 2 && degree < 20))
+                    assert_int_equal(status, expected);
+                else
+                    assert_true(status == CAGD_OK || ((functions[k].run == curvature || functions[k].run == torsion) &&
+                                                      status == CAGD_UNDEFINED));
+            }
+        for (int dim = -1; dim <= CAGD_MAX_DIM + 2; dim++) {
+            struct arguments x = some_spline(3, 9, 3, 1, 1);
+            x.spline = &x.s;
+            x.s.dim = dim;
+            mark();
+            int has = !takes(k, 'P') || (functions[k].from_dim <= dim && dim <= CAGD_MAX_DIM);
+            assert_int_equal(functions[k].run(&x), has ? CAGD_OK : CAGD_DIMENSION);
+            if (!has)
+                nothing_is_written();
+        }
+        for (int order = -2; order <= CAGD_MAX_DEGREE + 2 && takes(k, 'O'); order++) {
+            struct arguments x = some_spline(3, 9, 3, 1, 1);
+            x.spline = &x.s;
+            x.order = order;
+            mark();
+            int has = 0 <= order && order <= CAGD_MAX_DEGREE;
+            assert_int_equal(functions[k].run(&x), has ? CAGD_OK : CAGD_ORDER);
+            if (!has)
+                nothing_is_written();
+        }
+        for (int clamp = 0; clamp < 2 && takes(k, 'T'); clamp++)
+            for (int which = 0; which < 7; which++) {
+                struct arguments x = some_spline(3, 9, 3, 1, clamp);
+                double from = u_of[3], to = u_of[9];
+                x.spline = &x.s;
+                x.side = which % 2 ? CAGD_LEFT : CAGD_RIGHT;
+                x.t = (double[]){
+                    nextafter(from, -9), nextafter(to, 99), -DBL_MAX, DBL_MAX, NAN, INFINITY, -INFINITY}[which];
+                mark();
+                assert_int_equal(functions[k].run(&x), which < 4 ? CAGD_OUTSIDE_DOMAIN : CAGD_NOT_FINITE);
+                nothing_is_written();
+            }
+    }
+}
+
+/* Whichever knot, coordinate or weight it is, and none behind the last. */
+static void every_number_is_asked_for(void **state)
+{
+    (void)state;
+    const double none[] = {NAN, INFINITY, -INFINITY};
+    for (int p = 0; p < 4; p++)
+        for (int dim = 1; dim <= 3; dim++)
+            for (int k = -1; k < FUNCTIONS; k++) {
+                struct arguments x = some_spline(p, p + 4, dim, 1, 1);
+                x.spline = &x.s;
+                if (k >= 0 && dim < functions[k].from_dim)
+                    continue;
+                for (int kind = 0; kind < 3; kind++) {
+                    double *of = kind == 0 ? u_of : kind == 1 ? P_of : w_of;
+                    int count = kind == 0 ? 2 * p + 5 : (p + 4) * (kind == 1 ? dim : 1), where = 7;
+                    for (int i = 0; i < count; i++) {
+                        double keep = of[i];
+                        of[i] = none[(i + kind + k + 1) % 3];
+                        mark();
+                        if (k < 0) {
+                            assert_int_equal(cagd_spline_check(&x.s, &where), CAGD_NOT_FINITE);
+                            assert_int_equal(where, i);
+                        } else if (kind == 0 || takes(k, 'P')) {
+                            assert_int_equal(functions[k].run(&x), CAGD_NOT_FINITE);
+                            nothing_is_written();
+                        }
+                        of[i] = keep;
+                    }
+                }
+                if (k < 0) {
+                    int where = 7;
+                    assert_int_equal(cagd_spline_check(&x.s, &where), CAGD_OK);
+                    assert_int_equal(where, -1);
+                }
+            }
+}
+
+/* Of knots 0, 1, 2, ... any one may be smaller than the one before it, or one too many of its kind; a curve over a domain without length is none. */
+static void every_knot_is_compared(void **state)
+{
+    (void)state;
+    for (int p = 0; p < 4; p++) {
+        enum { MORE = 5 };
+        int n = p + MORE, last = n + p, where;
+        struct arguments x = some_spline(p, n, 2, 0, 1);
+        for (int i = 1; i <= last; i++) {
+            for (int j = 0; j <= last; j++)
+                u_of[j] = j;
+            u_of[i] = i - 1.5;
+            where = 7;
+            assert_int_equal(cagd_spline_check(&x.s, &where), CAGD_KNOTS_DECREASE);
+            assert_int_equal(where, i);
+            for (int j = 0; j <= last; j++) /* p+2 knots that are equal, the last of them i */
+                u_of[j] = j > i || j < i - p - 1 ? j : i;
+            where = 7;
+            assert_int_equal(cagd_spline_check(&x.s, &where), i > p ? CAGD_KNOTS_MULTIPLE : CAGD_OK);
+            assert_int_equal(where, i > p ? i : -1);
+            for (int j = 0; j <= last; j++) /* p+1 of them */
+                u_of[j] = j > i || j < i - p ? j : i;
+            assert_int_equal(cagd_spline_check(&x.s, &where), CAGD_OK);
+        }
+        for (int j = 0; j <= 2 * p + 1;
+             j++) /* the domain is [u_p, u_{p+1}]; in degree 0 its ends are equal once too often */
+            u_of[j] = j <= p ? j : j - 1;
+        x.s.count = p + 1;
+        assert_int_equal(cagd_spline_check(&x.s, &where), p > 0 ? CAGD_KNOTS_EMPTY : CAGD_KNOTS_MULTIPLE);
+        assert_int_equal(where, p > 0 ? p : 1);
+    }
+}
+
+/* Weights that are 0, in any place, are no weights of a part, of a segment or of the same curve in another form. */
+static void a_weight_of_a_result_is_not_zero(void **state)
+{
+    (void)state;
+    for (int zero = 0; zero < 6; zero++) {
+        const double lines[] = {0, 0, 1, 2, 3, 4, 5, 5};
+        struct arguments x = some_spline(1, 6, 3, 1, 1);
+        x.spline = &x.s;
+        memcpy(u_of, lines, sizeof lines);
+        for (int i = 0; i < 6; i++)
+            w_of[i] = i != zero;
+        for (int span = 1; span < 6; span++) {
+            x.span = span;
+            assert_int_equal(bezier(&x), zero == span - 1 || zero == span ? CAGD_UNDEFINED : CAGD_OK);
+            x.t = span - 0.5; /* between two points, of which none is replaced */
+            assert_int_equal(split(&x), CAGD_UNDEFINED);
+            assert_int_equal(insert(&x), CAGD_UNDEFINED);
+        }
+        assert_int_equal(elevate(&x), CAGD_UNDEFINED);
+        for (int k = 0; k <= 5; k++) { /* the point at t = k has weight k alone */
+            x.t = k;
+            assert_int_equal(point(&x), k == zero ? CAGD_UNDEFINED : CAGD_OK);
+            assert_int_equal(derivatives(&x), k == zero ? CAGD_UNDEFINED : CAGD_OK);
+            x.side = CAGD_LEFT;
+            assert_int_equal(point(&x), k == zero ? CAGD_UNDEFINED : CAGD_OK);
+            x.side = CAGD_RIGHT;
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -337,6 +806,12 @@ int main(void)
         cmocka_unit_test(knots_at_the_end),
         cmocka_unit_test(one_number_that_is_out_of_range_is_seen),
         cmocka_unit_test(either_part_may_leave_the_range),
+        cmocka_unit_test(every_degree_and_dimension_has_the_kernels_values),
+        cmocka_unit_test(no_pointer_may_be_missing),
+        cmocka_unit_test(every_range_has_two_ends),
+        cmocka_unit_test(every_number_is_asked_for),
+        cmocka_unit_test(every_knot_is_compared),
+        cmocka_unit_test(a_weight_of_a_result_is_not_zero),
     };
     return cmocka_run_group_tests(tests, setup, NULL);
 }
