@@ -137,6 +137,35 @@ static void nearest_points_of_finer_ends(void **state)
     }
 }
 
+/* Every end is rounded once and outward, to few bits as to many. */
+static void nearest_points_are_rounded_outward(void **state)
+{
+    (void)state;
+    for (int code = 0; code < 625; code++)
+        for (int p = 0; p < 4; p++) {
+            region_mark m = region_open();
+            const int place[4] = {code % 5, code / 5 % 5, code / 25 % 5, code / 125};
+            num_i end[4];
+            cagd_region_set_precision(300);
+            for (int k = 0; k < 4; k++)
+                end[k] = from_ratio_i(3 * place[k] - 5 + k, 7 + 2 * k);
+            num_i T = cagd_hull_i(end[0], end[1]), a = cagd_hull_i(end[2], end[3]);
+            cagd_region_set_precision(precisions[p]);
+            num_i r = cagd_nearest_in_i(T, a);
+            mpfr_srcptr low = a.at->lo, high = a.at->hi;
+            low = mpfr_less_p(low, T.at->lo) ? T.at->lo : mpfr_greater_p(low, T.at->hi) ? T.at->hi : low;
+            high = mpfr_less_p(high, T.at->lo) ? T.at->lo : mpfr_greater_p(high, T.at->hi) ? T.at->hi : high;
+            mpfr_t rounded;
+            mpfr_init2(rounded, precisions[p]);
+            mpfr_set(rounded, low, MPFR_RNDD);
+            assert_true(mpfr_equal_p(rounded, r.at->lo));
+            mpfr_set(rounded, high, MPFR_RNDU);
+            assert_true(mpfr_equal_p(rounded, r.at->hi));
+            mpfr_clear(rounded);
+            region_drop(m);
+        }
+}
+
 static void operations_of_one(void **state)
 {
     (void)state;
@@ -304,7 +333,9 @@ static void others(void **state)
     (void)state;
     for (int k = 0; k <= 200; k++) {
         region_mark m = region_open();
-        double radius = k == 200 ? 1 : k * 0x1.1p-8;
+        double radius = k == 200    ? 1
+                        : k % 4 < 2 ? k * 0x1.1p-8
+                                    : k / 207.0; /* of few bits, and of more than the precision has */
         cagd_region_set_precision(k % 2 ? 128 : 24);
         num_i around = cagd_exp_around_i(radius);
         mpfr_t e;
@@ -324,6 +355,7 @@ static void others(void **state)
         mpq_clears(low, high, r, (mpq_ptr)0);
         mpfr_clear(e);
         cagd_region_set_precision(128);
+        radius = k == 200 ? 1 : k * 0x1.1p-8;
         num_i x = cagd_around_i(1.5, radius);
         assert_true(contains_i(x, from_double_q(1.5 - radius)) && contains_i(x, from_double_q(1.5 + radius)));
         assert_true(lower_i(x) == 1.5 - radius && upper_i(x) == 1.5 + radius);
@@ -345,9 +377,14 @@ static void others(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        unit(operations_of_two), unit(nearest_points), unit(nearest_points_of_finer_ends),
-        unit(operations_of_one), unit(roots),          unit(what_is_asked),
-        unit(infinite_ends),     unit(others)};
+    const struct CMUnitTest tests[] = {unit(operations_of_two),
+                                       unit(nearest_points),
+                                       unit(nearest_points_of_finer_ends),
+                                       unit(nearest_points_are_rounded_outward),
+                                       unit(operations_of_one),
+                                       unit(roots),
+                                       unit(what_is_asked),
+                                       unit(infinite_ends),
+                                       unit(others)};
     return run_unit_tests(tests);
 }

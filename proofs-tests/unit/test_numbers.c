@@ -430,6 +430,21 @@ static void texts_are_read_exactly(void **state)
     }
     num_q repeated = div_q(mul_q(from_int_q(7), sub_q(from_string_q("1e99999"), from_int_q(1))), from_int_q(9));
     assert_true(cagd_equal_q(from_string_q(digits), repeated));
+    for (int behind = 99999; behind <= 100001;
+         behind++) { /* no more than that behind the point or before it, with an exponent or not, and below a bar */
+        static char text[4][100020];
+        int more = behind - 99999;
+        snprintf(text[0], sizeof text[0], "%s.%.*s%.*s", more == 1 ? "" : "7", 99999, digits, more, "77");
+        snprintf(text[1], sizeof text[1], "%s.%.*s%.*se1", more == 1 ? "" : "7", 99999, digits, more, "77");
+        snprintf(text[2], sizeof text[2], "%.*s%.*se1", 99999, digits, more, "77");
+        snprintf(text[3], sizeof text[3], "1/%.*s%.*s", 99999, digits, more, "77");
+        for (int k = 0; k < 4; k++) {
+            from_string_q(text[k]);
+            if (more > 0)
+                expect_fault(FAULT_UNDEFINED);
+            assert_int_equal(region_faults, 0);
+        }
+    }
     digits[33333] = '.';
     assert_true(cagd_equal_q(from_string_q(digits), from_string_q(to_string_q(from_string_q(digits)))));
     assert_int_equal(strlen(to_string_q(from_string_q("1e99999"))), 100000);

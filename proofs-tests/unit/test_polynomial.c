@@ -185,6 +185,58 @@ static void faults_add_up(void **state)
     expect_fault(FAULT_UNABLE | FAULT_UNDEFINED);
 }
 
+/* c p for a rational c, whole numbers without a common divisor, the leading one above 0. */
+static void primitive_polynomials(void **state)
+{
+    (void)state;
+    const long whole[][4] = {{6, -9, 15, 0}, {0, 0, -4, 0}, {2, 3, 0, -5}, {0, 0, 0, 0}, {-7, 0, 0, 0}, {4, 6, 0, 10}};
+    const long expected[][4] = {{2, -3, 5, 0}, {0, 0, 1, 0}, {-2, -3, 0, 5}, {0, 0, 0, 0}, {1, 0, 0, 0}, {2, 3, 0, 5}};
+    for (size_t k = 0; k < sizeof whole / sizeof *whole; k++)
+        for (int over = 1; over <= 9; over += 4) {
+            num_q c[4], d[4];
+            for (int i = 0; i < 4; i++)
+                c[i] = from_ratio_q(whole[k][i], over), d[i] = from_int_q(expected[k][i]);
+            assert_true(cagd_poly_equal(cagd_poly_primitive(poly_from_q(4, c)), poly_from_q(4, d)));
+        }
+}
+
+/* No polynomial has a Bernstein form of a degree below its own; over an interval without length its value is put in everywhere. */
+static void forms_of_every_degree(void **state)
+{
+    (void)state;
+    for (int degree = 0; degree <= 4; degree++)
+        for (int n = 0; n <= 6; n++) {
+            num_q out[7];
+            poly p = random_poly(degree);
+            poly_to_bernstein(p, n, from_int_q(0), from_int_q(1), out);
+            if (n < degree) {
+                expect_fault(FAULT_UNDEFINED);
+                continue;
+            }
+            assert_int_equal(region_faults, 0);
+            assert_true(cagd_poly_equal(poly_from_bernstein(n, out), p));
+            poly_to_bernstein(p, n, from_ratio_q(2, 3), from_ratio_q(2, 3), out);
+            for (int i = 0; i <= n; i++)
+                assert_true(cagd_equal_q(out[i], poly_value(p, from_ratio_q(2, 3))));
+        }
+}
+
+/* A factor may have any multiplicity, and be the only one. */
+static void high_multiplicities(void **state)
+{
+    (void)state;
+    for (int m = 1; m <= 12; m++) {
+        poly factor[16], p = poly_from_q(2, (num_q[]){from_int_q(-3), from_int_q(2)});
+        int multiplicity[16];
+        assert_int_equal(poly_squarefree(power(p, m), factor, multiplicity), 1);
+        assert_int_equal(multiplicity[0], m);
+        assert_true(cagd_poly_divides(factor[0], p) && cagd_poly_divides(p, factor[0]));
+    }
+    poly factor[1];
+    int multiplicity[1];
+    assert_int_equal(poly_squarefree(poly_constant(from_int_q(5)), factor, multiplicity), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -197,6 +249,9 @@ int main(void)
         unit(text_and_edges),
         unit(degrees_that_no_int_has),
         unit(faults_add_up),
+        unit(primitive_polynomials),
+        unit(forms_of_every_degree),
+        unit(high_multiplicities),
     };
     return run_unit_tests(tests);
 }

@@ -255,7 +255,10 @@ static void precisions_that_are_none(void **state)
         expect_fault(FAULT_UNABLE | FAULT_MEMORY);
         assert_int_equal(cagd_region_precision(), 128);
     }
+    cagd_region_set_precision(1 << 24);
+    assert_int_equal(cagd_region_precision(), 1 << 24);
     cagd_region_set_precision(2);
+    assert_int_equal(cagd_region_precision(), 2);
     assert_true(cagd_contains_i(from_ratio_i(1, 3), from_ratio_q(1, 3)));
 }
 
@@ -308,6 +311,47 @@ static void large_blocks_are_given_back(void **state)
 #endif
 }
 
+/* Arrays whose number of elements is no int, or whose bytes no size_t counts, are refused, beside a fault that stands; of none there is room. */
+static void arrays_that_are_none(void **state)
+{
+    (void)state;
+    static const struct {
+        long rows, columns;
+        size_t size;
+    } bad[] = {{-1, 1, 1},
+               {1, -1, 1},
+               {-1, -1, 1},
+               {-1, 0, 1},
+               {0, -1, 1},
+               {46341, 46341, 1},
+               {1L << 31, 1, 1},
+               {1, 1L << 31, 1},
+               {1L << 31, 0, 1},
+               {0, 1L << 31, 1},
+               {1L << 16, 1L << 15, 1},
+               {3, 1, SIZE_MAX / 2},
+               {1, 2, SIZE_MAX / 2 + 1},
+               {1, 1, SIZE_MAX},
+               {INT32_MAX, 3, SIZE_MAX / 2}};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+        region_faults = FAULT_CROWDED;
+        assert_null(cagd_region_array(bad[k].rows, bad[k].columns, bad[k].size));
+        expect_fault(FAULT_CROWDED | FAULT_MEMORY);
+    }
+    for (size_t less = 0; less < 16; less++) {
+        region_faults = FAULT_CROWDED;
+        assert_null(cagd_region_bytes(SIZE_MAX - less));
+        expect_fault(FAULT_CROWDED | FAULT_MEMORY);
+    }
+    for (long rows = 0; rows <= 3; rows++)
+        for (long columns = 0; columns <= 3; columns++) {
+            unsigned char *a = cagd_region_array(rows, columns, 5), *b = cagd_region_array(rows, columns, 5);
+            assert_non_null(a);
+            assert_true(b >= a + rows * columns * 5);
+        }
+    assert_non_null(cagd_region_array(46340, 1, 1));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -324,6 +368,7 @@ int main(void)
         unit(precisions_that_are_none),
         unit(threads_have_their_own_precision),
         unit(large_blocks_are_given_back),
+        unit(arrays_that_are_none),
     };
     return run_unit_tests(tests);
 }
