@@ -312,6 +312,224 @@ static void the_last_number_that_is_out_of_range_is_seen(void **state)
     cagd_curve_free(c);
 }
 
+/* ---- every function of a prepared curve ----------------------------------------------------------------- */
+
+/* One quantity at one parameter and at many, and of the spline itself. */
+typedef cagd_status at_one(const cagd_curve *c, double t, cagd_side side, int order, double *out);
+typedef cagd_status at_many(const cagd_curve *c, int count, const double *t, cagd_side side, int order, double *out,
+                            int *where);
+typedef cagd_status of_spline(const cagd_spline *s, double t, cagd_side side, int order, double *out);
+#define WITHOUT_ORDER(name, one, many, spline)                                                                         \
+    static cagd_status name##_one(const cagd_curve *c, double t, cagd_side side, int order, double *out)               \
+    {                                                                                                                  \
+        (void)order;                                                                                                   \
+        return one(c, t, side, out);                                                                                   \
+    }                                                                                                                  \
+    static cagd_status name##_many(const cagd_curve *c, int count, const double *t, cagd_side side, int order,         \
+                                   double *out, int *where)                                                            \
+    {                                                                                                                  \
+        (void)order;                                                                                                   \
+        return many(c, count, t, side, out, where);                                                                    \
+    }                                                                                                                  \
+    static cagd_status name##_spline(const cagd_spline *s, double t, cagd_side side, int order, double *out)           \
+    {                                                                                                                  \
+        (void)order;                                                                                                   \
+        return spline(s, t, side, out);                                                                                \
+    }
+WITHOUT_ORDER(point, cagd_curve_point, cagd_curve_points, cagd_spline_point)
+WITHOUT_ORDER(curvature, cagd_curve_curvature, cagd_curve_curvatures, cagd_spline_curvature)
+WITHOUT_ORDER(torsion, cagd_curve_torsion, cagd_curve_torsions, cagd_spline_torsion)
+
+static const struct {
+    at_one *one;
+    at_many *many;
+    of_spline *spline;
+    int from_dim, has_order, is_point;
+} quantities[] = {
+    {point_one, point_many, point_spline, 1, 0, 1},
+    {cagd_curve_derivatives, cagd_curve_all_derivatives, cagd_spline_derivatives, 1, 1, 1},
+    {curvature_one, curvature_many, curvature_spline, 2, 0, 0},
+    {torsion_one, torsion_many, torsion_spline, 3, 0, 0},
+};
+enum { QUANTITIES = 4, ROOM = PARAMETERS * (CAGD_MAX_DEGREE + 1) * 3 };
+static double results[ROOM], expected[ROOM];
+static void mark(double x[ROOM])
+{
+    for (int m = 0; m < ROOM; m++)
+        x[m] = 77;
+}
+static void nothing_is_written(int from)
+{
+    for (int m = from; m < ROOM; m++)
+        assert_true(results[m] == 77);
+}
+
+/* In every degree from 0 on, every dimension, order and side, in every order of parameters, those before, behind and at the ends of the domain
+ * and those that are no numbers among them: status and bits are those of the functions on the spline, and the first without a value is named. */
+static void every_degree_and_order_is_that_of_the_spline(void **state)
+{
+    (void)state;
+    enum { TRIALS = 150, MANY = 24 };
+    int refused[CAGD_STATUSES] = {0};
+    for (int trial = 0; trial < TRIALS; trial++) {
+        int degree = trial % 6, count = degree + 1 + (int)(uniform() * 8), dim = 1 + trial / 6 % 3;
+        cagd_spline s = random_spline(degree, count, dim, trial / 18 % 2);
+        if (cagd_spline_check(&s, NULL) != CAGD_OK)
+            continue;
+        if (s.weights != NULL && trial % 4 == 0)
+            weights[(int)(count * uniform())] *= trial % 8 == 0 ? 0 : -1;
+        cagd_curve *c = cagd_curve_new(&s, NULL, NULL);
+        assert_non_null(c);
+        double t[MANY];
+        for (int i = 0; i < MANY; i++)
+            t[i] = uniform() < 0.5 ? knots[degree + (int)((count - degree + 1) * uniform())]
+                                   : parameters[(int)(PARAMETERS * uniform())];
+        if (trial % 3 == 0)
+            t[(int)(MANY * uniform())] = (const double[]){NAN,
+                                                          INFINITY,
+                                                          -INFINITY,
+                                                          knots[degree] - 1,
+                                                          knots[count] + 1,
+                                                          nextafter(knots[count], 1e9),
+                                                          nextafter(knots[degree], -1e9)}[trial / 3 % 7];
+        for (int q = 0; q < QUANTITIES; q++) {
+            if (dim < quantities[q].from_dim)
+                continue;
+            int order = quantities[q].has_order ? trial / 3 % (degree + 4) : 0,
+                width = quantities[q].is_point ? (order + 1) * dim : 1;
+            for (int side = CAGD_RIGHT; side <= CAGD_LEFT; side++) {
+                int good = 0, where = 99;
+                cagd_status status = CAGD_OK;
+                mark(results), mark(expected);
+                while (good < MANY && status == CAGD_OK) {
+                    status = quantities[q].spline(&s, t[good], (cagd_side)side, order, expected + good * width);
+                    double out[ROOM / PARAMETERS];
+                    assert_int_equal(quantities[q].one(c, t[good], (cagd_side)side, order, out), status);
+                    if (status == CAGD_OK)
+                        same((size_t)width, out, expected + good++ * width);
+                }
+                refused[status]++;
+                assert_int_equal(quantities[q].many(c, MANY, t, (cagd_side)side, order, results, &where), status);
+                assert_int_equal(where, status == CAGD_OK ? -1 : good);
+                same((size_t)(good * width), results, expected);
+                nothing_is_written((good + 1) * width);
+                mark(results);
+                assert_int_equal(quantities[q].many(c, MANY, t, (cagd_side)side, order, results, NULL), status);
+                same((size_t)(good * width), results, expected);
+            }
+        }
+        cagd_curve_free(c);
+    }
+    assert_true(refused[CAGD_OK] > TRIALS && refused[CAGD_NOT_FINITE] > 5 && refused[CAGD_OUTSIDE_DOMAIN] > 5 &&
+                refused[CAGD_UNDEFINED] > 5);
+}
+
+static void every_function_refuses_what_is_none(void **state)
+{
+    (void)state;
+    for (int dim = 1; dim <= 3; dim++) {
+        cagd_spline s = random_spline(3, 9, dim, 1);
+        cagd_curve *c = cagd_curve_new(&s, NULL, NULL);
+        const double t[2] = {parameters[20], parameters[21]};
+        assert_non_null(c);
+        for (int q = 0; q < QUANTITIES; q++) {
+            int where, has = dim >= quantities[q].from_dim;
+            mark(results);
+            if (!has) {
+                assert_int_equal(quantities[q].one(c, t[0], CAGD_RIGHT, 0, results), CAGD_DIMENSION);
+                for (int count = 0; count < 3; count++)
+                    assert_int_equal(quantities[q].many(c, count, t, CAGD_RIGHT, 0, results, (where = 9, &where)),
+                                     CAGD_DIMENSION);
+                assert_int_equal(where, -1);
+                nothing_is_written(0);
+                continue;
+            }
+            assert_int_equal(quantities[q].one(NULL, t[0], CAGD_RIGHT, 0, results), CAGD_NULL);
+            assert_int_equal(quantities[q].one(c, t[0], CAGD_RIGHT, 0, NULL), CAGD_NULL);
+            assert_int_equal(quantities[q].many(NULL, 2, t, CAGD_RIGHT, 0, results, (where = 9, &where)), CAGD_NULL);
+            assert_int_equal(where, -1);
+            assert_int_equal(quantities[q].many(c, 2, NULL, CAGD_RIGHT, 0, results, (where = 9, &where)), CAGD_NULL);
+            assert_int_equal(where, -1);
+            assert_int_equal(quantities[q].many(c, 2, t, CAGD_RIGHT, 0, NULL, (where = 9, &where)), CAGD_NULL);
+            assert_int_equal(where, -1);
+            for (int count = -3; count <= 0; count++) {
+                assert_int_equal(quantities[q].many(c, count, t, CAGD_RIGHT, 0, results, (where = 9, &where)),
+                                 count < 0 ? CAGD_COUNT : CAGD_OK);
+                assert_int_equal(where, -1);
+                nothing_is_written(0);
+            }
+            for (int order = -2; order <= CAGD_MAX_DEGREE + 2 && quantities[q].has_order; order++) {
+                int good = 0 <= order && order <= CAGD_MAX_DEGREE;
+                mark(results);
+                assert_int_equal(quantities[q].one(c, t[0], CAGD_RIGHT, order, results), good ? CAGD_OK : CAGD_ORDER);
+                nothing_is_written(good ? (order + 1) * dim : 0);
+                assert_int_equal(quantities[q].many(c, 2, t, CAGD_RIGHT, order, results, (where = 9, &where)),
+                                 good ? CAGD_OK : CAGD_ORDER);
+                assert_int_equal(where, -1);
+                nothing_is_written(good ? 2 * (order + 1) * dim : 0);
+            }
+        }
+        cagd_curve_free(c);
+    }
+}
+
+/* Of what is no spline there is no curve, with the status and the place that the check has. */
+static void what_is_no_spline_is_no_curve(void **state)
+{
+    (void)state;
+    int seen[CAGD_STATUSES] = {0};
+    for (int trial = 0; trial < 300; trial++) {
+        cagd_spline s = random_spline(2 + trial % 3, 10, 1 + trial % 3, 1);
+        int at = (int)(10 * uniform()), where = 9, place = 9;
+        switch (trial / 3 % 10) {
+        case 0:
+            s.degree = trial % 2 ? -1 : CAGD_MAX_DEGREE + 1;
+            break;
+        case 1:
+            s.count = s.degree;
+            break;
+        case 2:
+            s.dim = trial % 2 ? 0 : CAGD_MAX_DIM + 1;
+            break;
+        case 3:
+            s.points = NULL;
+            break;
+        case 4:
+            s.knots = NULL;
+            break;
+        case 5:
+            points[at] = NAN;
+            break;
+        case 6:
+            weights[at] = -INFINITY;
+            break;
+        case 7:
+            knots[at] += 100;
+            break;
+        case 8:
+            for (int i = 0; i <= s.degree + 1; i++)
+                knots[at + i] = knots[at];
+            break;
+        default:
+            knots[at] = INFINITY;
+        }
+        cagd_status expected_status = cagd_spline_check(&s, &place), status = CAGD_STATUSES;
+        cagd_curve *c = cagd_curve_new(&s, &status, &where);
+        assert_int_equal(status, expected_status);
+        assert_int_equal(where, place);
+        assert_int_equal(c != NULL, status == CAGD_OK);
+        cagd_curve_free(c);
+        c = cagd_curve_new(&s, NULL, NULL);
+        assert_int_equal(c != NULL, status == CAGD_OK);
+        cagd_curve_free(c);
+        seen[status]++;
+    }
+    const cagd_status all[] = {CAGD_NULL,       CAGD_DEGREE,         CAGD_COUNT,         CAGD_DIMENSION,
+                               CAGD_NOT_FINITE, CAGD_KNOTS_DECREASE, CAGD_KNOTS_MULTIPLE};
+    for (int k = 0; k < 7; k++)
+        assert_true(seen[all[k]] > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -322,6 +540,9 @@ int main(void)
         cmocka_unit_test(what_has_no_value_is_told),
         cmocka_unit_test(the_last_number_that_is_out_of_range_is_seen),
         cmocka_unit_test(outside_the_domain_is_no_span),
+        cmocka_unit_test(every_degree_and_order_is_that_of_the_spline),
+        cmocka_unit_test(every_function_refuses_what_is_none),
+        cmocka_unit_test(what_is_no_spline_is_no_curve),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
