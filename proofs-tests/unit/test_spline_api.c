@@ -795,6 +795,62 @@ static void a_weight_of_a_result_is_not_zero(void **state)
     }
 }
 
+/* Of numbers near both ends of binary64, over knots that are close or far apart: what is said to be good is a number, and no weight of it is 0. */
+static void what_is_good_is_a_number(void **state)
+{
+    (void)state;
+    const double values[] = {0, 1, -2, DBL_MAX, -DBL_MAX, 0x1p-1040, 0x1p1000, -0x1p-600, 0.75};
+    enum { TRIED = 1500 };
+    for (int k = 0; k < FUNCTIONS; k++) {
+        int seen[CAGD_STATUSES] = {0};
+        for (int trial = 0; trial < TRIED; trial++) {
+            int p = trial % 4, n = p + 1 + trial / 4 % 4, dim = 1 + trial / 16 % 3;
+            struct arguments x = some_spline(p, n, dim, trial / 48 % 2, trial / 96 % 2);
+            x.spline = &x.s;
+            x.order = trial % 5;
+            x.side = uniform() < 0.5 ? CAGD_LEFT : CAGD_RIGHT;
+            int scale = (int)(3 * uniform()) * 500 - 500,
+                tame = (int)(3 * uniform()); /* of neither, of points, of weights */
+            for (int i = 0; i <= n + p; i++)
+                u_of[i] = ldexp(u_of[i], scale);
+            x.t = ldexp(x.t, scale);
+            for (int m = 0; m < n * dim && tame != 1; m++)
+                P_of[m] = uniform() < 0.3 ? values[(int)(9 * uniform())] : 0;
+            for (int i = 0; i < n && tame != 2; i++)
+                w_of[i] = uniform() < 0.3 ? values[(int)(9 * uniform())] : 1;
+            if (dim < functions[k].from_dim)
+                continue;
+            mark();
+            cagd_status status = functions[k].run(&x);
+            seen[status]++;
+            assert_true(status == CAGD_OK || status == CAGD_OVERFLOW || status == CAGD_UNDEFINED);
+            for (int r = 0; r < functions[k].results && status == CAGD_OK; r++)
+                for (int m = 0; m < LONGEST; m++) {
+                    assert_true(isfinite(results[r][m]));
+                    assert_true(results[r][m] != 0 || !(functions[k].weights >> r & 1));
+                }
+        }
+        assert_true(seen[CAGD_OK] > TRIED / 100);
+        assert_true(seen[CAGD_OVERFLOW] > 2 || functions[k].results == 0);
+    }
+}
+
+/* The second derivatives alone of quadratics over [0, 2^-600] are beyond the range, and the first and the values are not, in the middle of the row as at its ends. */
+static void derivatives_of_a_basis_that_are_out_of_range(void **state)
+{
+    (void)state;
+    for (int order = 0; order <= 4; order++)
+        for (int p = 1; p <= 3; p++) {
+            struct arguments x = some_spline(p, p + 1, 1, 0, 1);
+            x.spline = &x.s;
+            for (int i = 0; i < 2 * p + 2; i++)
+                u_of[i] = i <= p ? 0 : 0x1p-600;
+            x.t = 0x1p-601;
+            x.order = order;
+            assert_int_equal(basis(&x), order < 2 || p < 2 ? CAGD_OK : CAGD_OVERFLOW);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -812,6 +868,8 @@ int main(void)
         cmocka_unit_test(every_number_is_asked_for),
         cmocka_unit_test(every_knot_is_compared),
         cmocka_unit_test(a_weight_of_a_result_is_not_zero),
+        cmocka_unit_test(what_is_good_is_a_number),
+        cmocka_unit_test(derivatives_of_a_basis_that_are_out_of_range),
     };
     return cmocka_run_group_tests(tests, setup, NULL);
 }
