@@ -331,11 +331,10 @@ static void infinite_ends(void **state)
 static void others(void **state)
 {
     (void)state;
-    for (int k = 0; k <= 200; k++) {
+    for (int k = 0; k <= 240; k++) {
         region_mark m = region_open();
-        double radius = k == 200    ? 1
-                        : k % 4 < 2 ? k * 0x1.1p-8
-                                    : k / 207.0; /* of few bits, and of more than the precision has */
+        /* of few bits, of more than the precision has, and such that all sums are exact */
+        double radius = k > 200 ? 1 - ldexp(1, 200 - k) : k == 200 ? 1 : k % 4 < 2 ? k * 0x1.1p-8 : k / 207.0;
         cagd_region_set_precision(k % 2 ? 128 : 24);
         num_i around = cagd_exp_around_i(radius);
         mpfr_t e;
@@ -355,7 +354,7 @@ static void others(void **state)
         mpq_clears(low, high, r, (mpq_ptr)0);
         mpfr_clear(e);
         cagd_region_set_precision(128);
-        radius = k == 200 ? 1 : k * 0x1.1p-8;
+        radius = k >= 200 ? radius : k * 0x1.1p-8;
         num_i x = cagd_around_i(1.5, radius);
         assert_true(contains_i(x, from_double_q(1.5 - radius)) && contains_i(x, from_double_q(1.5 + radius)));
         assert_true(lower_i(x) == 1.5 - radius && upper_i(x) == 1.5 + radius);
