@@ -488,6 +488,379 @@ static void names_of_variables(void **state)
     cagd_field_open(1);
 }
 
+/* What was noted last, from its name on; the trace is closed. */
+static void ends_with(const char *expected)
+{
+    const char *steps = cagd_trace_steps();
+    assert_non_null(steps);
+    size_t n = strlen(steps), m = strlen(expected);
+    assert_true(n > m + 2);
+    char *end = malloc(m + 1);
+    snprintf(end, m + 1, "%s", steps + n - 2 - m);
+    assert_string_equal(end, expected);
+    free(end);
+    cagd_trace_close();
+}
+
+/* How many numbers the list of that name has where it stands first. */
+static int length_of(const char *steps, const char *name)
+{
+    const char *at = strstr(steps, name);
+    assert_non_null(at);
+    at = strchr(at, '[');
+    int count = at[1] != ']';
+    for (; *at != ']'; at++)
+        count += *at == ',';
+    return count;
+}
+
+/* A curve whose seven counts of a line are different: y = t (t - 1/4)(t - 1/2)(t - 3/4)^2 / W, and W has five simple roots and a double one. */
+static void counts_that_differ(void **state)
+{
+    (void)state;
+    enum { N = 8 };
+    poly one = poly_constant(from_int_q(1)), Y = poly_variable(), W = one;
+    static const int root_of_y[] = {2, 4, 6, 6}, root_of_w[] = {1, 3, 5, 7, 7};
+    for (int k = 0; k < 4; k++)
+        Y = poly_mul(Y, poly_sub(poly_variable(), poly_constant(from_ratio_q(root_of_y[k], 8))));
+    for (int k = 0; k < 5; k++)
+        W = poly_mul(W, poly_sub(poly_variable(), poly_constant(from_ratio_q(root_of_w[k], 8))));
+    W = poly_mul(W, poly_sub(poly_variable(), poly_constant(from_ratio_q(1, 7))));
+    W = poly_mul(W, poly_sub(poly_variable(), poly_constant(from_ratio_q(1, 9))));
+    num_q x[N + 1], y[N + 1], w[N + 1], R[2 * N + 2], zero = from_int_q(0), unit = from_int_q(1);
+    poly_to_bernstein(one, N, zero, unit, x);
+    poly_to_bernstein(Y, N, zero, unit, y);
+    poly_to_bernstein(W, N, zero, unit, w);
+    for (int i = 0; i <= N; i++) {
+        assert_false(cagd_is_zero_q(w[i]));
+        R[2 * i] = div_q(x[i], w[i]), R[2 * i + 1] = div_q(y[i], w[i]);
+    }
+    struct cagd_line axis = {zero, unit, zero};
+    cagd_trace_open(PLENTY);
+    cagd_testify_curve_meets_line(N, R, w, axis);
+    assert_int_equal(length_of(cagd_trace_steps(), "\"R\""), 2 * N + 2);
+    ends_with("\"is\":[0,4,3,2,1,6,5]}");
+    for (int i = 0; i <= N; i++)
+        R[2 * i + 1] = zero;
+    cagd_trace_open(PLENTY);
+    cagd_testify_curve_meets_line(N, R, w, axis);
+    ends_with("\"is\":[1,0,0,0,0,6,0]}");
+
+    /* Along the axis from 0 to 2, up, to 5 and up again, through 7 to below, to 1, and below. */
+    static const int corner[][2] = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {5, 0}, {6, 1}, {8, -1}, {1, 0}, {0, -1}};
+    enum { CORNERS = sizeof corner / sizeof *corner };
+    num_q P[2 * CORNERS];
+    for (int i = 0; i < CORNERS; i++)
+        P[2 * i] = from_int_q(corner[i][0]), P[2 * i + 1] = from_int_q(corner[i][1]);
+    cagd_trace_open(PLENTY);
+    assert_int_equal(cagd_testify_polygon_crossings(CORNERS - 1, P, axis), 1);
+    ends_with("\"is\":[1,4,3,2]}");
+    cagd_trace_open(PLENTY);
+    struct cagd_polygon_meets_line meets = cagd_testify_polygon_meets_line(CORNERS - 1, P, axis);
+    assert_true(meets.crossings == 1 && meets.common_runs == 4 && meets.components == 3 && meets.contained_edges == 2);
+    ends_with("\"is\":[1,4,3,2]}");
+
+    /* t^2 (t - 1/2)(t - 1)^3 (t - 2) from -1 to 2. */
+    poly p = poly_mul(poly_variable(), poly_variable()), minus_one = poly_sub(poly_variable(), one);
+    p = poly_mul(p, poly_mul(minus_one, poly_mul(minus_one, minus_one)));
+    p = poly_mul(p, poly_sub(poly_variable(), poly_constant(from_ratio_q(1, 2))));
+    p = poly_mul(p, poly_sub(poly_variable(), poly_constant(from_int_q(2))));
+    cagd_trace_open(PLENTY);
+    cagd_testify_count_roots(p, from_int_q(-1), from_int_q(2), CLOSED);
+    ends_with("\"with_ends\":[1,1],\"distinct\":4,\"counted\":7,\"crossings\":2,\"touches\":1}");
+
+    cagd_trace_open(PLENTY);
+    num_q sum = add_q(unit, unit);
+    cagd_testify_operations(1, &sum, 5, 3, 2);
+    ends_with("\"additions\":5,\"multiplications\":3,\"shifts\":2}");
+}
+
+/* Every answer that a predicate of numbers has, of two numbers and of one and 0. */
+static void every_answer(void **state)
+{
+    (void)state;
+    num_q half = from_ratio_q(1, 2), minus = from_ratio_q(-1, 2), one = from_int_q(1), zero = from_int_q(0);
+    const num_q of[] = {minus, zero, half, one};
+    for (int i = 0; i < 4; i++) {
+        static const char *const order[] = {"\"is\":-1}", "\"is\":0}", "\"is\":1}"};
+        const int sign = (i > 1) - (i < 1);
+        cagd_trace_open(PLENTY);
+        assert_int_equal(cagd_testify_sign_q(of[i]), sign);
+        ends_with(order[1 + sign]);
+        cagd_trace_open(PLENTY);
+        assert_int_equal(cagd_testify_is_zero_q(of[i]), i == 1);
+        ends_with(order[1 + (i == 1)]);
+        cagd_trace_open(PLENTY);
+        assert_int_equal(cagd_testify_is_whole_q(of[i]), i % 2);
+        ends_with(order[1 + i % 2]);
+        for (int j = 0; j < 4; j++) {
+            cagd_trace_open(PLENTY);
+            assert_int_equal(cagd_testify_compare_q(of[i], of[j]), (i > j) - (i < j));
+            ends_with(order[1 + (i > j) - (i < j)]);
+            cagd_trace_open(PLENTY);
+            assert_int_equal(cagd_testify_equal_q(of[i], of[j]), i == j);
+            ends_with(order[1 + (i == j)]);
+        }
+    }
+    /* 0, p > 0, p >= 0, p <= 0, p < 0 and both, on [0,1]: of 0, 1, t, -t, -1, 2t - 1. */
+    static const int c[][2] = {{0, 0}, {1, 0}, {0, 1}, {0, -1}, {-1, 0}, {-1, 2}};
+    for (int is = 0; is < 6; is++) {
+        char text[20];
+        num_q a[2] = {from_int_q(c[is][0]), from_int_q(c[is][1])};
+        poly p = poly_from_q(2, a);
+        snprintf(text, sizeof text, "\"is\":%d}", is);
+        cagd_trace_open(PLENTY);
+        assert_int_equal(cagd_testify_sign_on(p, zero, one, CLOSED), is);
+        ends_with(text);
+        cagd_trace_open(PLENTY);
+        assert_int_equal(cagd_testify_is_nonnegative_on(p, zero, one), is < 3);
+        ends_with(text);
+        /* a number that is not 0 divides every polynomial, and 0 divides 0 alone */
+        poly two = poly_constant(from_int_q(2)), nothing = poly_from_q(0, NULL);
+        assert_int_equal(cagd_testify_poly_divides(two, p), 1);
+        assert_int_equal(cagd_testify_poly_divides(nothing, p), is == 0);
+        cagd_trace_open(PLENTY);
+        assert_int_equal(cagd_testify_poly_divides(two, p), 1);
+        ends_with("\"is\":1}");
+    }
+}
+
+/* Points of one, two and three coordinates, inside and outside: the lists have as many numbers. */
+static void hulls_of_every_dimension(void **state)
+{
+    (void)state;
+    for (int d = 1; d <= 3; d++)
+        for (int inside = 0; inside < 2; inside++) {
+            enum { COUNT = 5 };
+            num_q points[3 * COUNT], x[3];
+            for (int m = 0; m < d * COUNT; m++)
+                points[m] = from_int_q(m / d == m % d + 1 ? 8 : m / d == 4 ? -1 : 0);
+            for (int i = 0; i < d; i++)
+                x[i] = from_int_q(inside ? 1 : 9);
+            char text[20];
+            snprintf(text, sizeof text, "\"dim\":%d,", d);
+            cagd_trace_open(PLENTY);
+            struct cagd_hull_certificate c = cagd_testify_hull_membership(d, COUNT, points, x);
+            assert_int_equal(c.inside, inside);
+            const char *steps = cagd_trace_steps();
+            assert_non_null(strstr(steps, text));
+            assert_int_equal(length_of(steps, "\"points\""), d * COUNT);
+            assert_int_equal(length_of(steps, "\"x\""), d);
+            if (inside)
+                assert_int_equal(length_of(steps, "\"coefficients\""), COUNT);
+            else
+                assert_int_equal(length_of(steps, "\"normal\""), d);
+            cagd_trace_close();
+        }
+}
+
+/* Polygons that turn to either side, lie on a line, or are not convex; whoever asks need not want to know the side. */
+static void polygons_of_every_kind(void **state)
+{
+    (void)state;
+    static const struct {
+        int at[8];
+        const char *closed, *open;
+    } list[] = {
+        {{0, 0, 2, 0, 2, 2, 0, 2},
+         "\"closed\":1,\"orientation\":1,\"is\":1}",
+         "\"closed\":0,\"orientation\":1,\"is\":1}"},
+        {{0, 2, 2, 2, 2, 0, 0, 0},
+         "\"closed\":1,\"orientation\":-1,\"is\":1}",
+         "\"closed\":0,\"orientation\":-1,\"is\":1}"},
+        {{0, 0, 1, 0, 2, 0, 3, 0},
+         "\"closed\":1,\"orientation\":0,\"is\":0}",
+         "\"closed\":0,\"orientation\":0,\"is\":1}"},
+        {{0, 0, 2, 2, 2, 0, 0, 2},
+         "\"closed\":1,\"orientation\":0,\"is\":0}",
+         "\"closed\":0,\"orientation\":0,\"is\":0}"},
+    };
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        num_q P[8];
+        for (int m = 0; m < 8; m++)
+            P[m] = from_int_q(list[k].at[m]);
+        for (int closed = 0; closed <= 2; closed++) {
+            cagd_trace_open(PLENTY);
+            cagd_testify_polygon_is_convex(3, P, closed, NULL);
+            ends_with(closed ? list[k].closed : list[k].open);
+        }
+    }
+    /* the vertices of a triangle with a point inside and one on an edge, from the leftmost on */
+    num_q T[10];
+    static const int at[] = {4, 0, 1, 1, 0, 4, 2, 0, 0, 0};
+    for (int m = 0; m < 10; m++)
+        T[m] = from_int_q(at[m]);
+    int vertex[6];
+    cagd_trace_open(PLENTY);
+    assert_int_equal(cagd_testify_convex_hull_2d(5, T, vertex), 3);
+    assert_int_equal(length_of(cagd_trace_steps(), "\"points\""), 10);
+    ends_with("\"vertices\":[4,0,2]}");
+}
+
+/* A determinant is of as many rows as are said, and all of its numbers are told; the worst minor is the one that is found without a
+ * trace. */
+static void matrices_of_every_size(void **state)
+{
+    (void)state;
+    for (int n = 1; n <= 4; n++) {
+        num_q A[16];
+        char text[24];
+        for (int m = 0; m < n * n; m++)
+            A[m] = from_int_q(m % (n + 1) == 0 ? 2 : m % n == 0);
+        snprintf(text, sizeof text, "\"rows\":%d,", n);
+        cagd_trace_open(PLENTY);
+        assert_true(cagd_equal_q(cagd_testify_pivoted_determinant_q(n, A), from_int_q(1L << n)));
+        assert_non_null(strstr(cagd_trace_steps(), text));
+        assert_int_equal(length_of(cagd_trace_steps(), "\"A\""), n * n);
+        cagd_trace_close();
+    }
+    for (int strict = 0; strict < 2; strict++) {
+        num_q A[2] = {from_int_q(1), from_int_q(strict ? 0 : -1)};
+        struct cagd_minor worst = {0};
+        cagd_trace_open(PLENTY);
+        assert_int_equal(cagd_testify_all_minors_nonnegative(1, 2, A, strict, &worst), 0);
+        assert_true(worst.order == 1 && worst.row[0] == 0 && worst.column[0] == 1);
+        assert_true(cagd_equal_q(worst.value, A[1]));
+        ends_with(strict ? "\"strict\":1,\"is\":0}" : "\"strict\":0,\"is\":0}");
+        num_q B[2] = {from_int_q(1), from_int_q(3)};
+        cagd_trace_open(PLENTY);
+        assert_int_equal(cagd_testify_all_minors_nonnegative(1, 2, B, strict, NULL), 1);
+        ends_with(strict ? "\"strict\":1,\"is\":1}" : "\"strict\":0,\"is\":1}");
+        cagd_trace_open(PLENTY);
+        assert_int_equal(cagd_testify_is_totally_positive(1, 2, A), 0);
+        ends_with("\"strict\":1,\"is\":0}");
+    }
+}
+
+/* Inputs are numbered from 0 on, or not at all. */
+static void inputs_by_number(void **state)
+{
+    (void)state;
+    num_q w = from_ratio_q(5, 7), huge = from_int_q(1);
+    for (int k = 0; k < 2000; k++) /* more digits than there is room for at first */
+        huge = mul_q(huge, from_int_q(10));
+    cagd_trace_open(PLENTY);
+    cagd_trace_input(w, "w", 0), cagd_trace_input(w, "w", 1), cagd_trace_input(w, "w", 12),
+        cagd_trace_input(w, "w", -1);
+    cagd_trace_input(neg_q(huge), "huge", 2), cagd_trace_input(div_q(w, huge), "small", 0);
+    const char *inputs = cagd_trace_inputs(),
+               *begin = "[[\"w0\",\"5/7\"],[\"w1\",\"5/7\"],[\"w12\",\"5/7\"],[\"w\",\"5/7\"],[\"huge2\",\"-1000";
+    assert_int_equal(strncmp(inputs, begin, strlen(begin)), 0);
+    const char *small = strstr(inputs, "000\"],[\"small0\",\"1/14000"); /* 5/(7 10^2000) */
+    assert_non_null(small);
+    assert_int_equal((long)(small - strstr(inputs, "-1000")), 2 + 2000 - 3);
+    assert_int_equal(strlen(small), strlen("000\"],[\"small0\",\"1/14") + 1999 + strlen("\"]]\n"));
+    cagd_trace_close();
+}
+
+/* The limit of nodes and the values of variables are those of before when everything begins anew. */
+static num_q value_of(const char *name)
+{
+    return strcmp(name, "a") == 0                 ? from_ratio_q(-3, 5)
+           : strcmp(name, "abcdefghijklmno") == 0 ? from_int_q(7)
+                                                  : (num_q){NULL};
+}
+static void values_that_are_said(void **state)
+{
+    (void)state;
+    cagd_trace_values(value_of); /* nothing without a trace */
+    cagd_field_open(3);
+    cagd_trace_open(9);
+    cagd_trace_values(value_of);
+    for (int round = 0; round < 3; round++) {
+        num_f t = variable_f("t"), a = variable_f("a"), longest = variable_f("abcdefghijklmno");
+        add_f(a, add_f(t, longest)), variable_f("a"), variable_f("abcdefghijklmno");
+        assert_list(cagd_trace_inputs(), "[\"t\",\"307/51\"],[\"a\",\"-3/5\"],[\"abcdefghijklmno\",\"7\"]");
+        assert_int_equal(region_faults, 0);
+        cagd_trace_again();
+    }
+    for (int k = 0; k < 9; k++)
+        from_int_q(k);
+    assert_true(cagd_trace_noting());
+    from_int_q(9);
+    expect_fault(FAULT_UNABLE);
+    assert_false(cagd_trace_noting());
+    cagd_trace_again();
+    assert_true(cagd_trace_noting());
+    cagd_trace_close();
+    cagd_trace_open(PLENTY); /* a new one knows no values */
+    variable_f("a");
+    assert_null(strstr(cagd_trace_inputs(), "-3/5"));
+    cagd_trace_close();
+    cagd_field_open(1);
+}
+
+/* A formula stands beside the first condition after facts alone; its blanks, letters beyond ASCII and line breaks. */
+static void formulas_of_conditions(void **state)
+{
+    (void)state;
+    num_q one = from_int_q(1);
+    static const char *const written[][2] = {{"a", "a"},
+                                             {"  a  ", " a"},
+                                             {"a\t \n b", "a b"},
+                                             {"\xcf\x89_0 > 0", "\xcf\x89_0 > 0"},
+                                             {"s == \"\\\\\"", "s == \\\"\\\\\\\\\\\""},
+                                             {"", ""}};
+    for (size_t k = 0; k < sizeof written / sizeof *written; k++) {
+        char text[80];
+        cagd_trace_open(PLENTY);
+        cagd_testify_is_zero_q(one), cagd_testify_is_zero_q(one);
+        cagd_trace_agree(1, written[k][0]);
+        cagd_trace_agree(1, "b");
+        snprintf(text, sizeof text, "{\"agree\":true,\"formula\":\"%s\"},{\"agree\":true}", written[k][1]);
+        ends_with(text);
+    }
+    cagd_trace_open(PLENTY);
+    cagd_testify_is_zero_q(one);
+    cagd_trace_same(0, 0, 1);
+    cagd_trace_agree(1, "b");
+    ends_with("{\"same\":[0,0],\"equal\":true},{\"agree\":true}");
+    cagd_trace_open(PLENTY);
+    cagd_testify_is_zero_q(one);
+    cagd_trace_nonnegative(0, 0, "-a", -1);
+    cagd_trace_agree(0, "b");
+    ends_with("{\"nonnegative\":0,\"good\":false,\"text\":\"-a\",\"sign\":-1},{\"agree\":false}");
+    /* a formula that is longer than there is room for at first */
+    char formula[3000], *long_text = malloc(sizeof formula + 100);
+    memset(formula, 'x', sizeof formula - 1), formula[sizeof formula - 1] = '\0';
+    cagd_trace_open(PLENTY);
+    cagd_testify_is_zero_q(one);
+    cagd_trace_agree(1, formula);
+    snprintf(long_text, sizeof formula + 100, ",\"formula\":\"%s\"}", formula);
+    ends_with(long_text);
+    free(long_text);
+}
+
+/* The first of many numbers, and a fact of many numbers, while tables and texts grow. */
+static void the_first_of_many(void **state)
+{
+    (void)state;
+    enum { MANY = 3000 };
+    static num_q x[MANY];
+    cagd_trace_open(PLENTY);
+    for (int k = 0; k < MANY; k++) {
+        cagd_trace_input(x[k] = from_ratio_q(k, 7), "x", k);
+        if (k > 0 && (k & (k - 1)) == 0)
+            cagd_testify_equal_q(x[0], x[k - 1]);
+    }
+    cagd_testify_operations(MANY, x, 0, 0, 0);
+    assert_int_equal(length_of(cagd_trace_steps(), "\"out\""), MANY);
+    const char *at = strstr(cagd_trace_steps(), "\"out\":[") + strlen("\"out\":[");
+    for (int k = 0; k < MANY; k++) {
+        char *end;
+        assert_int_equal(strtol(at, &end, 10), 2 * k + 1);
+        at = end + 1;
+    }
+    assert_null(strstr(cagd_trace_nodes(), "\"o\""));
+    const char *steps = cagd_trace_steps();
+    for (int k = 1; k < MANY; k *= 2) {
+        char text[60];
+        snprintf(text, sizeof text, "{\"fact\":\"equal\",\"of\":[1,%d],\"is\":%d}", 2 * k - 1, k == 1);
+        assert_non_null(strstr(steps, text));
+    }
+    cagd_trace_close();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(arithmetic),
@@ -503,6 +876,15 @@ int main(void)
                                        unit(names_of_variables),
                                        unit(values_made_before),
                                        unit(after_a_polynomial_made_before),
-                                       unit(names_that_begin_others)};
+                                       unit(names_that_begin_others),
+                                       unit(counts_that_differ),
+                                       unit(every_answer),
+                                       unit(hulls_of_every_dimension),
+                                       unit(polygons_of_every_kind),
+                                       unit(matrices_of_every_size),
+                                       unit(inputs_by_number),
+                                       unit(values_that_are_said),
+                                       unit(formulas_of_conditions),
+                                       unit(the_first_of_many)};
     return run_unit_tests(tests);
 }
