@@ -372,11 +372,10 @@ static double cost(void)
 }
 
 /* A cubic of three segments with high-entropy data, every weight but the first and every coordinate unknown. */
-static void spline(int dim, cagd_fit_loss loss)
+static void spline_on(const double k[10], int dim, cagd_fit_loss loss)
 {
-    static const double k[] = {0, 0, 0, 0, 0.4, 0.7, 1, 1, 1, 1};
     int at_end, count = 40;
-    memcpy(knots, k, sizeof k);
+    memcpy(knots, k, 10 * sizeof *k);
     curve = (cagd_spline){3, 6, dim, knots, control, weights};
     problem = (cagd_stationary_problem){
         .data = &data, .loss = loss, .loss_scale = 1.5, .curve = &curve, .feet = feet, .unknown = unknown};
@@ -390,7 +389,7 @@ static void spline(int dim, cagd_fit_loss loss)
             unknown[problem.unknowns++] = (cagd_fit_unknown){1, i, 0};
     }
     for (int i = 0; i < count; i++) {
-        double t = (i + 0.5) / count, P[3];
+        double t = k[3] + (k[6] - k[3]) * (i + 0.5) / count, P[3];
         cagd_spline_point(&curve, t, CAGD_RIGHT, P);
         sigma[i] = random_int(50, 100) / 1001.0;
         for (int c = 0; c < dim; c++)
@@ -399,6 +398,8 @@ static void spline(int dim, cagd_fit_loss loss)
     }
     data = (cagd_fit_data){count, dim, points, sigma};
 }
+static const double clamped[] = {0, 0, 0, 0, 0.4, 0.7, 1, 1, 1, 1};
+static void spline(int dim, cagd_fit_loss loss) { spline_on(clamped, dim, loss); }
 
 static void move(int a, double by)
 {
@@ -450,6 +451,75 @@ static void the_enclosures_hold_the_differences(void **state)
         }
     }
     assert_true(done > 20);
+}
+
+/* Gradient and Hessian in points against differences of F and of the gradient, over 2^-14 to both sides: with feet inside the domain and at
+ * its ends, where the curve ends in its first and last point and where it does not, and deviations that differ. */
+static void derivatives_are_limits_of_differences(void **state)
+{
+    (void)state;
+    enum { N = 64 };
+    static double none[N], g[2][N], H[2][N * N], side[2][2][N], unused[2][N * N];
+    static const double uniform[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+    static const cagd_fit_loss losses[] = {CAGD_FIT_SQUARES, CAGD_FIT_HUBER, CAGD_FIT_CAUCHY};
+    const double h = 0x1p-14;
+    int where, at_end, inside = 0, beyond = 0, at_ends = 0;
+    for (int round = 0; round < 12; round++) {
+        const int dim = 2 + round % 2;
+        spline_on(round < 6 ? clamped : uniform, dim, losses[round % 3]);
+        for (int end = 0; end < 2; end++) { /* two points behind each end of the curve */
+            double t = knots[end ? curve.count : curve.degree], d[6];
+            cagd_spline_derivatives(&curve, t, end ? CAGD_LEFT : CAGD_RIGHT, 1, d);
+            for (int more = 1; more <= 2; more++) {
+                int i = end ? data.count - more : more - 1;
+                for (int c = 0; c < dim; c++)
+                    points[i * dim + c] =
+                        d[c] + (end ? 1 : -1) * more * 0x1p-6 * d[dim + c] + random_int(-99, 99) / 9999.0;
+                feet[i] = t;
+            }
+        }
+        const int n = problem.unknowns;
+        cost();
+        problem.loss_scale = 1.25;
+        assert_true(cagd_stationary_enclosures(&problem, none, g[0], g[1], H[0], H[1], &where));
+        for (int i = 0; i < data.count; i++) {
+            double s = 0, P[3];
+            cagd_spline_point(&curve, foot_of(points + i * dim, feet[i], &at_end), CAGD_RIGHT, P);
+            for (int c = 0; c < dim; c++)
+                s += (P[c] - points[i * dim + c]) * (P[c] - points[i * dim + c]) / (sigma[i] * sigma[i]);
+            *(s < 1.25 * 1.25 ? &inside : &beyond) += 1;
+            at_ends += at_end;
+        }
+        double size = 0;
+        for (int m = 0; m < n * n; m++)
+            size = fmax(size, fabs(H[0][m]));
+        for (int a = 0; a < n; a++) {
+            double F[2], kept_control[18], kept_weights[6];
+            memcpy(kept_control, control, sizeof kept_control), memcpy(kept_weights, weights, sizeof kept_weights);
+            for (int k = 0; k < 2; k++) {
+                move(a, k == 0 ? -h : h);
+                F[k] = cost();
+                assert_true(
+                    cagd_stationary_enclosures(&problem, none, side[k][0], side[k][1], unused[0], unused[1], &where));
+                memcpy(control, kept_control, sizeof kept_control), memcpy(weights, kept_weights, sizeof kept_weights);
+            }
+            cost();
+            double slope = (F[1] - F[0]) / (2 * h);
+            if (!(fabs(slope - g[0][a]) <= 0x1p-16 * size))
+                print_error("round %d, gradient %d: %.9g for %.9g\n", round, a, g[0][a], slope);
+            assert_true(fabs(slope - g[0][a]) <= 0x1p-16 * size);
+            for (int b = 0; b < n; b++) {
+                double bend = (side[1][0][b] - side[0][0][b]) / (2 * h);
+                for (int k = 0; k < 2; k++) {
+                    if (!(fabs(bend - H[k][b * n + a]) <= 0x1p-16 * size))
+                        print_error("round %d, Hessian %d %d: %.9g for %.9g, size %g\n", round, b, a, H[k][b * n + a],
+                                    bend, size);
+                    assert_true(fabs(bend - H[k][b * n + a]) <= 0x1p-16 * size);
+                }
+            }
+        }
+    }
+    assert_true(inside > 100 && beyond > 100 && at_ends > 30);
 }
 
 /* Points nearer to the centre than the circle, on it, or farther away: the weight, which alone is unknown, ought to
@@ -546,6 +616,315 @@ static void what_a_bound_forbids_beside_free_points(void **state)
                                        : grows < 0                  ? CAGD_STATIONARY_FALLS
                                                                     : CAGD_STATIONARY_OPEN);
         }
+}
+
+/* The first and the last point that a fit is of measure its ends: their feet are held there, though nearer points of the curve are inside.
+ * Three points before them and two behind them are left out, whatever they are; each pair of points has a deviation of its own. */
+static void a_fit_without_some_points_at_its_ends(void **state)
+{
+    (void)state;
+    enum { BEFORE = 3, BEHIND = 2, FEW = 2 * PYTHAGOREAN + 2, ALL = BEFORE + FEW + BEHIND };
+    for (int left_out = 0; left_out < 2; left_out++) {
+        circle(1);
+        const int before = left_out ? BEFORE : 0, behind = left_out ? BEHIND : 0, all = before + FEW + behind;
+        double some[2 * ALL], deviation[ALL], their_feet[ALL], value[3] = {0, 65, 65};
+        int at_bound[3] = {0};
+        for (int i = 0; i < all; i++) {
+            some[2 * i] = 1000 + 64 * i, some[2 * i + 1] = -500, their_feet[i] = 0.5, deviation[i] = 0x1p-8;
+            if (i < before || i >= before + FEW)
+                continue;
+            const int own = i - before, pair = own - 1; /* the ends around the pairs */
+            deviation[i] = own == 0 ? 1 : ldexp(1, (pair / 2) % 3);
+            for (int c = 0; c < 2; c++)
+                some[2 * i + c] = own == 0         ? (c == 0 ? 65 : 3)
+                                  : own == FEW - 1 ? (c == 0 ? 3 : 65)
+                                                   : points[2 * pair + c];
+            their_feet[i] = own == 0 ? 0 : own == FEW - 1 ? 1 : feet[pair];
+        }
+        const cagd_fit_data measured = {all, 2, some, deviation};
+        const cagd_fit_options options = {.weight_low = 0.25, .weight_high = 4, .tolerance = 1e-10};
+        cagd_fit_result result = {.curve = {2, 3, 2, knots, control, weights},
+                                  .relative = control,
+                                  .feet = their_feet,
+                                  .count = all,
+                                  .loss_scale = 1,
+                                  .left_out = {before, behind},
+                                  .end_points = {before, before + FEW - 1},
+                                  .unknowns = 3,
+                                  .rank = 3,
+                                  .unknown = unknown,
+                                  .value = value,
+                                  .at_bound = at_bound};
+        cagd_stationary_verdict v = cagd_stationary_check_fit(&measured, &options, &result);
+        if (!v.verified)
+            print_error("left out %d, point %d: %s\n", left_out, v.where, v.reason);
+        assert_true(v.verified && v.minimum && v.dimension == 3 && v.point_radius < 0x1p-70);
+        for (int end = 0; end < 2; end++) { /* a point that measures no end has a foot inside */
+            result.end_points[end] = -1;
+            v = cagd_stationary_check_fit(&measured, &options, &result);
+            assert_true(!v.verified && v.where == (end == 0 ? 0 : FEW - 1));
+            result.end_points[end] = end == 0 ? before : before + FEW - 1;
+        }
+        result.tied = 1;
+        v = cagd_stationary_check_fit(&measured, &options, &result);
+        assert_true(!v.verified && !v.minimum && v.bound == -1 && v.where == -1);
+        assert_non_null(strstr(v.reason, "share a foot"));
+    }
+}
+
+/* A fit says with which loss it was made, what it left undetermined, and how much it was smoothed: as asked for, or as found. */
+static void what_a_fit_was_asked_for(void **state)
+{
+    (void)state;
+    static double directions[] = {0.5, -65, 0, 65, 0, 0.5, 0, -65, 0, 65};
+    circle(1);
+    double value[5] = {0, 65, 65, 0, 0};
+    int at_bound[5] = {0};
+    cagd_fit_options options = {.weight_low = 0.25, .weight_high = 4, .tolerance = 1e-10, .loss = CAGD_FIT_CAUCHY};
+    cagd_fit_result result = {.curve = {2, 3, 2, knots, control, weights},
+                              .relative = control,
+                              .feet = feet,
+                              .count = data.count,
+                              .loss_scale = 2,
+                              .end_points = {-1, -1},
+                              .unknowns = 3,
+                              .rank = 3,
+                              .unknown = unknown,
+                              .value = value,
+                              .at_bound = at_bound};
+    cagd_stationary_verdict v = cagd_stationary_check_fit(&data, &options, &result);
+    assert_true(v.verified && !v.minimum); /* as above: far pairs under Cauchy's loss */
+    result.loss_scale = 8;
+    v = cagd_stationary_check_fit(&data, &options, &result);
+    assert_true(v.verified && v.minimum);
+    options.loss = CAGD_FIT_SQUARES;
+    unknown[3] = (cagd_fit_unknown){0, 0, 1}, unknown[4] = (cagd_fit_unknown){0, 2, 0};
+    result.unknowns = 5, result.flat = 2, result.free_directions = directions;
+    v = cagd_stationary_check_fit(&data, &options, &result);
+    assert_true(v.verified && v.minimum && v.dimension == 3);
+
+    /* The middle point of a smoothed curve, by Newton's method. */
+    circle(1);
+    problem.unknown = unknown + 1, problem.unknowns = 2, problem.smooth = 0x1p-12;
+    for (int step = 0; step < 30; step++) {
+        static const double none[2] = {0, 0};
+        double g[2], above[2], H[4], H_above[4];
+        int where, at_end;
+        for (int i = 0; i < data.count; i++)
+            feet[i] = foot_of(points + 2 * i, feet[i], &at_end);
+        assert_true(cagd_stationary_enclosures(&problem, none, g, above, H, H_above, &where));
+        double det = H[0] * H[3] - H[1] * H[2];
+        control[2] -= (H[3] * g[0] - H[1] * g[1]) / det;
+        control[3] -= (H[0] * g[1] - H[2] * g[0]) / det;
+    }
+    assert_true(fabs(control[2] - 65) > 0x1p-6);
+    result.unknowns = result.rank = 2, result.unknown = unknown + 1, result.flat = 0, result.free_directions = NULL;
+    for (int way = 0; way < 4; way++) { /* asked for; found; both, of which the first counts; not at all */
+        options.smooth = way == 0 || way == 2 ? 0x1p-12 : 0;
+        result.found.smooth = way == 1 ? 0x1p-12 : way == 2 ? 1 : 0;
+        v = cagd_stationary_check_fit(&data, &options, &result);
+        assert_true(way < 3 ? v.verified && v.minimum && v.point_radius < 0x1p-36
+                            : !v.verified || v.point_radius > 0x1p-7);
+    }
+}
+
+/* A closed quadratic B-spline with knots 0, 1, 2, ...: at multiples of 1/16 that are no knots point and derivative are numbers in binary64, and so are pairs of points to
+ * both sides along the normal, between which the curve is stationary for every choice of unknowns. */
+enum { OWN = 5, REPEATED = 2, UNKNOWNS = 3 * OWN - 1 };
+static void closed_curve(const int turns)
+{
+    static const double P[2 * OWN] = {0, 0, 64, -16, 96, 48, 32, 96, -32, 48};
+    int count = 0, unknowns = 0;
+    for (int k = 0; k < OWN + REPEATED + 3; k++)
+        knots[k] = k;
+    for (int i = 0; i < OWN + REPEATED; i++) {
+        weights[i] = 1;
+        for (int c = 0; c < 2; c++)
+            control[2 * i + c] = P[2 * (i % OWN) + c];
+    }
+    curve = (cagd_spline){2, OWN + REPEATED, 2, knots, control, weights};
+    for (int k = 1; k < 16 * OWN; k += 1 + (k % 16 == 15)) {
+        double t = 2 + k / 16.0, d[4];
+        cagd_spline_derivatives(&curve, t, CAGD_RIGHT, 1, d);
+        for (int side = -1; side <= 1; side += 2) {
+            sigma[count] = ldexp(1, count / 2 % 3);
+            points[2 * count] = d[0] + side * 0x1p-6 * d[3];
+            points[2 * count + 1] = d[1] - side * 0x1p-6 * d[2];
+            feet[count++] = t;
+        }
+    }
+    for (int i = 0; i < OWN; i++) {
+        const int own = (i + turns) % OWN;
+        unknown[unknowns++] = (cagd_fit_unknown){0, own, 1};
+        if (own > 0)
+            unknown[unknowns++] = (cagd_fit_unknown){1, own, 0};
+        unknown[unknowns++] = (cagd_fit_unknown){0, own, 0};
+    }
+    data = (cagd_fit_data){count, 2, points, sigma};
+}
+
+static void closed_curves_are_checked(void **state)
+{
+    (void)state;
+    for (int turns = 0; turns < OWN; turns += 3)
+        for (int moved = -1; moved < (turns == 0 ? UNKNOWNS : 3); moved++) {
+            closed_curve(turns);
+            double value[UNKNOWNS] = {0};
+            int at_bound[UNKNOWNS] = {0};
+            const cagd_fit_options options = {.weight_low = 0.25, .weight_high = 4, .tolerance = 1e-10};
+            const cagd_fit_result result = {.curve = curve,
+                                            .period = OWN,
+                                            .relative = control,
+                                            .feet = feet,
+                                            .count = data.count,
+                                            .loss_scale = 1,
+                                            .end_points = {-1, -1},
+                                            .unknowns = UNKNOWNS,
+                                            .rank = UNKNOWNS,
+                                            .unknown = unknown,
+                                            .value = value,
+                                            .at_bound = at_bound};
+            const double shift = 0x1p-14;
+            for (int i = 0; moved >= 0 && i < OWN + REPEATED; i++)
+                if (i % OWN == unknown[moved].index) {
+                    if (unknown[moved].is_weight)
+                        weights[i] = exp(shift);
+                    else
+                        control[2 * i + unknown[moved].coordinate] += shift;
+                }
+            cagd_stationary_verdict v = cagd_stationary_check_fit(&data, &options, &result);
+            if (!v.verified || !v.minimum)
+                print_error("turns %d, moved %d, point %d: %s\n", turns, moved, v.where, v.reason);
+            assert_true(v.verified && v.minimum && v.dimension == UNKNOWNS);
+            double radius = moved >= 0 && unknown[moved].is_weight ? v.weight_radius : v.point_radius;
+            if (moved < 0)
+                assert_true(v.weight_radius < 0x1p-70 && v.point_radius < 0x1p-60);
+            else
+                assert_true(radius >= shift * (1 - 0x1p-20) && radius < 2 * shift);
+        }
+}
+
+/* What of a foot at a knot is known: nothing where the curve may have a corner, a knot as often as the degree; everything where it has
+ * none. */
+static void feet_at_knots(void **state)
+{
+    (void)state;
+    static const struct {
+        int degree, multiplicity;
+    } list[] = {{1, 1}, {2, 1}, {2, 2}, {3, 1}, {3, 2}, {3, 3}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        const int p = list[k].degree, many = list[k].multiplicity, count = p + 1 + many;
+        for (int j = 0; j < count + p + 1; j++)
+            knots[j] = j <= p ? 0 : j <= p + many ? 1 : 2;
+        for (int i = 0; i < count; i++)
+            control[2 * i] = 8 * i, control[2 * i + 1] = i * (count - 1 - i), unknown[i] = (cagd_fit_unknown){0, i, 1};
+        curve = (cagd_spline){p, count, 2, knots, control, NULL};
+        data = (cagd_fit_data){1, 2, points, NULL};
+        problem = (cagd_stationary_problem){
+            .data = &data, .loss_scale = 1, .curve = &curve, .feet = feet, .unknowns = count, .unknown = unknown};
+        double d[4], none[8] = {0}, low[8], high[8], H[64], H_high[64];
+        int where;
+        cagd_spline_derivatives(&curve, 1, CAGD_RIGHT, 1, d);
+        points[0] = d[0] - d[3] / 64, points[1] = d[1] + d[2] / 64, feet[0] = 1;
+        const int is_known = many < p;
+        assert_int_equal(cagd_stationary_enclosures(&problem, none, low, high, H, H_high, &where), is_known);
+        assert_int_equal(where, is_known ? -1 : 0);
+        double sum = 0; /* F is (d_2/64)^2 (1 + (d_1/d_0)^2)/2 or so: its gradient sums up to the normal's part in y */
+        for (int i = 0; i < count && is_known; i++) {
+            assert_true(low[i] <= high[i] && high[i] - low[i] < 0x1p-30);
+            sum += low[i];
+        }
+        if (is_known)
+            assert_true(fabs(sum - (d[1] - points[1])) < 0x1p-30);
+        else
+            assert_non_null(strstr(cagd_stationary_check(&problem).reason, "corner"));
+    }
+}
+
+/* A point in which the curve ends is 0 to F as long as that end is known in all coordinates, and is the end. */
+static void points_at_the_ends(void **state)
+{
+    (void)state;
+    static const double none[2] = {0, 0};
+    double low[2], high[2], H[4], H_high[4];
+    int where;
+    for (int end = 0; end < 2; end++)
+        for (int c = 0; c < 2; c++) {
+            circle(1);
+            data.count = 1;
+            problem.unknowns = 1;
+            points[0] = control[end ? 4 : 0], points[1] = control[end ? 5 : 1], feet[0] = end;
+            unknown[0] = (cagd_fit_unknown){0, 1, c};
+            assert_true(cagd_stationary_enclosures(&problem, none, low, high, H, H_high, &where));
+            assert_true(low[0] == 0 && high[0] == 0 && H[0] == 0 && H_high[0] == 0);
+            /* An end that may move, along the curve: backward the point is on the curve, forward it is as far as the end has moved. */
+            unknown[0] = (cagd_fit_unknown){0, end ? 2 : 0, c};
+            assert_true(cagd_stationary_enclosures(&problem, none, low, high, H, H_high, &where));
+            if (c != end)
+                assert_true(H[0] <= 0 && H_high[0] >= 1);
+            else /* across it */
+                assert_true(H[0] <= 1 && H_high[0] >= 1 && H[0] > 0.5);
+            /* The point is beside the end, inside. */
+            circle(1);
+            for (int i = 0; i < 2; i++)
+                points[2 * data.count + i] = i == end ? 65 : 3;
+            feet[data.count++] = end;
+            cagd_stationary_verdict v = cagd_stationary_check(&problem);
+            assert_true(!v.verified || v.point_radius > 0x1p-20);
+            /* unless it is the end that was measured */
+            int ends[2] = {-1, -1};
+            ends[end] = data.count - 1;
+            problem.end_points = ends;
+            v = cagd_stationary_check(&problem);
+            assert_true(v.verified && v.minimum && v.point_radius < 0x1p-60);
+            ends[1 - end] = ends[end], ends[end] = -1;
+            v = cagd_stationary_check(&problem);
+            assert_true(!v.verified || v.point_radius > 0x1p-20);
+        }
+    /* Knots 0, 0, 1, 2, ...: the curve begins in no point of its polygon, and ends in none. */
+    for (int end = 0; end < 2; end++)
+        for (int equal = 0; equal < 2; equal++) {
+            static const double P[] = {0, 0, 2, 1, 5, 1, 8, -3};
+            for (int i = 0; i < 7; i++)
+                knots[i] = i;
+            if (equal)
+                knots[end ? 6 : 0] = knots[end ? 5 : 1];
+            memcpy(control, P, sizeof P);
+            curve = (cagd_spline){2, 4, 2, knots, control, NULL};
+            data = (cagd_fit_data){1, 2, points, NULL};
+            points[0] = P[end ? 6 : 0], points[1] = P[end ? 7 : 1], feet[0] = end ? 4 : 2;
+            unknown[0] = (cagd_fit_unknown){0, end ? 2 : 1, 0};
+            problem = (cagd_stationary_problem){
+                .data = &data, .curve = &curve, .feet = feet, .unknowns = 1, .unknown = unknown};
+            assert_true(cagd_stationary_enclosures(&problem, none, low, high, H, H_high, &where));
+            double C[2], part = (knots[end ? 5 : 2] - knots[end ? 4 : 1]) / (knots[end ? 5 : 3] - knots[end ? 3 : 1]);
+            cagd_spline_point(&curve, feet[0], CAGD_RIGHT, C);
+            assert_true(fabs(low[0] - part * (C[0] - points[0])) < 0x1p-40 && high[0] - low[0] < 0x1p-40);
+            assert_true(fabs(low[0]) > 0.25);
+        }
+}
+
+/* Bounds in every order: one that falls, one that grows, one that is not known.  F grows from both bounds where they are asked for one
+ * by one, and it is a minimum only where it grows from all. */
+static void the_weakest_of_several_bounds(void **state)
+{
+    (void)state;
+    /* Points outside the circle along x and y: F falls with growing x of the middle point, and with growing y. */
+    static const int kinds[] = {CAGD_STATIONARY_AT_LOW, CAGD_STATIONARY_AT_HIGH};
+    for (int first = 0; first < 2; first++)
+        for (int second = 0; second < 2; second++)
+            for (int third = 0; third < 2; third++) {
+                circle(0);
+                for (int m = 0; m < 2 * data.count; m++)
+                    points[m] *= 1 + 0x1p-7;
+                const int held[3] = {kinds[first], kinds[second], kinds[third]};
+                problem.held = held;
+                cagd_stationary_verdict v = cagd_stationary_check(&problem);
+                const int grows = first && second && third;
+                assert_true(v.verified && v.minimum == grows);
+                assert_int_equal(v.bounds, grows ? CAGD_STATIONARY_GROWS : CAGD_STATIONARY_FALLS);
+                assert_int_equal(v.bound, grows ? -1 : !first ? 0 : !second ? 1 : 2);
+            }
 }
 
 static void many_points_take_seconds(void **state)
@@ -707,9 +1086,17 @@ int main(void)
         cmocka_unit_test(a_foot_at_the_end_or_inside),
         cmocka_unit_test(free_directions_are_left_out),
         cmocka_unit_test(the_enclosures_hold_the_differences),
+        cmocka_unit_test(derivatives_are_limits_of_differences),
         cmocka_unit_test(what_a_bound_forbids_alone),
         cmocka_unit_test(what_a_bound_forbids_beside_free_points),
         cmocka_unit_test(several_bounds_at_once),
+        cmocka_unit_test(a_fit_without_some_points_at_its_ends),
+        cmocka_unit_test(what_a_fit_was_asked_for),
+        cmocka_unit_test(closed_curves_are_checked),
+        cmocka_unit_test(feet_at_knots),
+        cmocka_unit_test(points_at_the_ends),
+        cmocka_unit_test(the_weakest_of_several_bounds),
+
         cmocka_unit_test(how_much_farther_a_foot_may_be),
         cmocka_unit_test(curves_that_do_not_begin_in_their_first_point),
         cmocka_unit_test(a_foot_at_a_corner_is_refused),
