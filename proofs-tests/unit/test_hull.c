@@ -187,8 +187,11 @@ static void extreme_points_are_the_vertices(void **state)
                 assert_int_equal(
                     cagd_turn_2d(P + 2 * vertex[i], P + 2 * vertex[(i + 1) % n], P + 2 * vertex[(i + 2) % n]), 1);
         }
-        for (int j = 0; j < count; j++)
+        for (int j = 0; j < count; j++) { /* the first one is the leftmost, and the lowest of these */
+            int right = cagd_compare_q(P[2 * j], corner[0]), up = cagd_compare_q(P[2 * j + 1], corner[1]);
+            assert_true(right > 0 || (right == 0 && up >= 0));
             assert_true(in_some_triangle(n, corner, P + 2 * j));
+        }
         int orientation;
         assert_true(n == 2 || cagd_polygon_is_convex(n - 1, corner, 1, &orientation));
         assert_true(n <= 2 || orientation == 1);

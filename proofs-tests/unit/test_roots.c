@@ -208,6 +208,55 @@ static void a_bound_that_is_needed(void **state)
     assert_true(cagd_compare_q(root_bound(p), from_int_q(2)) > 0);
 }
 
+/* The bound of 0 is undefined, that of a number any; x^n - c (x^(n-1) + ... + 1) for c > 1 has a root between c and c + 1, and x^n - c x^m one
+ * at c^(1/(n-m)), beyond which the polynomial is positive. */
+static void bounds_by_one_coefficient_and_by_all(void **state)
+{
+    (void)state;
+    static const int of[][2] = {{3, 2}, {7, 4},  {15, 8},      {31, 16},           {2, 1},
+                                {3, 1}, {63, 8}, {1 << 20, 1}, {(1 << 20) - 1, 1}, {1, 5}};
+    const num_q one = from_int_q(1);
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++)
+        for (int n = 1; n <= 9; n++)
+            for (int m = -1; m < n; m++) { /* -1: all coefficients */
+                region_mark mark = region_open();
+                num_q c = from_ratio_q(of[k][0], of[k][1]), a[10];
+                for (int sign = 1; sign >= -1; sign -= 2) { /* and -x for x */
+                    for (int i = 0; i <= n; i++) {
+                        a[i] = i == n ? one : m < 0 || i == m ? neg_q(c) : from_int_q(0);
+                        a[i] = sign < 0 && i % 2 ? neg_q(a[i]) : a[i];
+                    }
+                    poly p = poly_from_q(n + 1, a);
+                    num_q B = root_bound(p), end = sign < 0 ? neg_q(B) : B, value = poly_value(p, end);
+                    assert_int_equal(cagd_sign_q(value), 1);
+                    assert_int_equal(cagd_sturm_count_line(p), cagd_sturm_count(p, neg_q(B), B));
+                    assert_int_equal(cagd_count_roots_line(p).distinct, cagd_sturm_count_line(p));
+                }
+                region_drop(mark);
+            }
+    assert_true(cagd_sign_q(root_bound(poly_constant(one))) > 0);
+    assert_int_equal(region_faults, 0);
+    root_bound(poly_from_q(0, NULL));
+    expect_fault(FAULT_UNDEFINED);
+}
+
+/* Beyond all roots, on either side, and the same without roots. */
+static void half_lines_beyond_the_roots(void **state)
+{
+    (void)state;
+    num_q huge = from_power_of_two(40), one = from_int_q(1);
+    poly p[] = {poly_constant(one), linear(one), poly_mul(linear(one), linear(neg_q(one)))};
+    for (int k = 0; k < 3; k++) {
+        assert_int_equal(cagd_count_roots_above(p[k], huge).distinct, 0);
+        assert_int_equal(cagd_count_roots_below(p[k], neg_q(huge)).distinct, 0);
+        assert_int_equal(cagd_count_roots_above(p[k], neg_q(huge)).distinct, k);
+        assert_int_equal(cagd_count_roots_below(p[k], huge).distinct, k);
+        assert_int_equal(cagd_sturm_count_above(p[k], neg_q(huge)), k);
+        assert_int_equal(cagd_sturm_count_below(p[k], huge), k);
+        assert_int_equal(region_faults, 0);
+    }
+}
+
 /* An ordinate at the end that is smaller than what was cut off of the others: its sign is asked for again, at either end. */
 static void a_sign_that_is_hidden_at_an_end(void **state)
 {
@@ -244,6 +293,16 @@ static void edges(void **state)
     struct cagd_root r;
     assert_int_equal(cagd_isolate_roots(poly_mul(t, linear(one)), zero, one, &r, 1), 2); /* no room for the second */
     assert_true(cagd_is_zero_q(r.lo) && cagd_is_zero_q(r.hi) && r.multiplicity == 1);
+    for (enum cagd_ends e = CLOSED; e <= OPEN_RIGHT; e++) { /* one point, a root or not */
+        assert_int_equal(cagd_count_roots(t, zero, zero, e).distinct, e == CLOSED);
+        assert_int_equal(cagd_count_roots(t, one, one, e).distinct, 0);
+    }
+    assert_int_equal(cagd_isolate_roots(poly_mul(t, t), zero, zero, &r, 1), 1);
+    assert_true(cagd_is_zero_q(r.lo) && cagd_is_zero_q(r.hi) && r.multiplicity == 2);
+    assert_int_equal(cagd_isolate_roots(t, one, one, &r, 1), 0);
+    assert_int_equal(cagd_isolate_roots(poly_constant(one), zero, one, &r, 1), 0);
+    refine_root(r, neg_q(one));
+    expect_fault(FAULT_UNDEFINED);
     refine_root(r, zero);
     expect_fault(FAULT_UNDEFINED);
 }
@@ -302,6 +361,8 @@ int main(void)
         unit(clusters),
         unit(bounds_enclose_every_root),
         unit(a_bound_that_is_needed),
+        unit(bounds_by_one_coefficient_and_by_all),
+        unit(half_lines_beyond_the_roots),
         unit(a_sign_that_is_hidden_at_an_end),
         unit(edges),
         unit(the_simplest_number_between),

@@ -69,6 +69,16 @@ static void edges(void **state)
     assert_int_equal(cagd_sign_on(poly_from_q(0, NULL), zero, one, OPEN), SIGN_ZERO);
     assert_int_equal(cagd_sign_on(poly_variable(), zero, zero, CLOSED), SIGN_ZERO);
     assert_int_equal(cagd_sign_on(poly_variable(), one, one, CLOSED), SIGN_POSITIVE);
+    assert_int_equal(cagd_sign_on(poly_variable(), neg_q(one), neg_q(one), CLOSED), SIGN_NEGATIVE);
+    /* 0 is not negative, on an interval and in a point, with both ends and without */
+    assert_true(cagd_is_nonnegative(SIGN_ZERO));
+    assert_true(cagd_is_nonnegative_on(poly_from_q(0, NULL), zero, one));
+    assert_true(cagd_is_nonnegative_on(poly_variable(), zero, zero));
+    assert_false(cagd_is_nonnegative_on(poly_variable(), neg_q(one), neg_q(one)));
+    for (enum cagd_ends e = CLOSED; e <= OPEN_RIGHT; e++)
+        assert_int_equal(cagd_sign_on(poly_from_q(0, NULL), zero, one, e), SIGN_ZERO);
+    cagd_sign_on(poly_from_q(0, NULL), one, zero, CLOSED);
+    expect_fault(FAULT_UNDEFINED);
     for (enum cagd_ends e = CLOSED; e <= OPEN_RIGHT; e++)
         if (e != CLOSED) { /* [0,0) and (0,0] are no intervals either */
             cagd_sign_on(poly_variable(), zero, zero, e);

@@ -151,12 +151,60 @@ static void a_system_has_a_solution_or_what_forbids_it(void **state)
     assert_true(both[0] > 100 && both[1] > 100);
 }
 
+/* Evidence is refused when one form of three, one coordinate of three, or one number is wrong, whichever it is. */
+static void one_form_spoils_evidence(void **state)
+{
+    (void)state;
+    enum { D = 3, COUNT = 4 };
+    num_q forms[D * COUNT], point[D] = {from_int_q(2), from_int_q(3), from_int_q(5)};
+    for (int j = 0; j < 3; j++)
+        for (int is_strict = 0; is_strict < 2; is_strict++)
+            for (int value = -1; value <= 1; value++) {
+                int strict[3] = {1, 1, 1};
+                strict[j] = is_strict;
+                for (int m = 0; m < 3 * D; m++) /* x, y and z, or one that has the value */
+                    forms[m] = from_int_q(m / D == m % D);
+                forms[D * j + (j + 1) % D] = div_q(sub_q(from_int_q(value), point[j]), point[(j + 1) % D]);
+                assert_int_equal(
+                    cagd_inequalities_hold(D, 3, forms, strict, (struct cagd_inequalities){1, point, NULL}),
+                    is_strict ? value > 0 : value >= 0);
+            }
+    /* x, y, z and -x - y - z, each 1/2 or, for the strict ones, 1 in sum. */
+    for (int spoiled = -1; spoiled < COUNT; spoiled++)
+        for (int first = 0; first < COUNT; first++) {
+            int strict[COUNT] = {0};
+            num_q lambda[COUNT];
+            strict[first] = 1;
+            for (int m = 0; m < D * COUNT; m++)
+                forms[m] = from_int_q(m / D == D ? -1 : m / D == m % D);
+            for (int j = 0; j < COUNT; j++)
+                lambda[j] = from_int_q(j == spoiled ? 2 : 1);
+            const struct cagd_inequalities s = {.lambda = lambda};
+            assert_int_equal(cagd_inequalities_hold(D, COUNT, forms, strict, s), spoiled < 0);
+            strict[(first + 1) % COUNT] = 1; /* two strict ones have the sum 2 */
+            assert_false(cagd_inequalities_hold(D, COUNT, forms, strict, s));
+        }
+    /* The forms 1, 1, 1 and -1 of one coordinate: two of the three may have -1 and 1, that of the strict one being 1. */
+    for (int negative = 0; negative < 3; negative++) {
+        num_q line[COUNT] = {from_int_q(1), from_int_q(1), from_int_q(1), from_int_q(-1)}, lambda[COUNT];
+        const int strict[COUNT] = {0, 0, 0, 1};
+        for (int j = 0; j < COUNT; j++)
+            lambda[j] = from_int_q(j == negative ? -1 : 1);
+        lambda[3] = from_int_q(1);
+        assert_false(cagd_inequalities_hold(1, COUNT, line, strict, (struct cagd_inequalities){.lambda = lambda}));
+        for (int j = 0; j < 3; j++)
+            lambda[j] = from_int_q(j == negative);
+        assert_true(cagd_inequalities_hold(1, COUNT, line, strict, (struct cagd_inequalities){.lambda = lambda}));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         unit(inequalities_are_those_of_an_elimination),
         unit(closed_conditions_may_leave_a_face),
         unit(spoiled_evidence_is_refused),
+        unit(one_form_spoils_evidence),
         unit(a_system_has_a_solution_or_what_forbids_it),
     };
     return run_unit_tests(tests);
