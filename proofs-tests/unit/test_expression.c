@@ -229,6 +229,424 @@ static void test_definitions(void **state)
     field_close();
 }
 
+/* ---- words ----------------------------------------------------------------------------------------------- */
+
+/* A scope in which the letters of the formulas below mean something. */
+static void begin_words(void)
+{
+    cagd_reading_error error;
+    static const char numbers[] = "n = 4, i = 2, j = 3, k = 1, m = 2, p = 2, r = 3";
+    scope = (cagd_scope){0};
+    field_open(16);
+    assert_true(define("x, y, z_i, w_{ij} \\in \\mathbb{R}"));
+    assert_true(define("\\mathbf{a}, \\mathbf{b} \\in \\mathbb{R}^3"));
+    assert_true(define("A \\in \\mathbb{R}^{2 \\times 2}"));
+    assert_true(define("F(t) = t^2"));
+    assert_true(define("\\mathbf{u}, \\mathrm{u}, \\mathit{u}, \\mathcal{u}, \\mathsf{u} \\in \\mathbb{R}"));
+    assert_true(cagd_read_ranges(&scope, numbers, 0, (int)strlen(numbers), &error));
+}
+
+/* The formula with the word in the place of each @. */
+static const char *with_word(const char *formula, const char *word)
+{
+    char *text = region_bytes(strlen(formula) + 40 * (strlen(word) + 1) + 1);
+    assert_non_null(text);
+    *text = '\0';
+    for (; *formula != '\0'; formula++)
+        if (*formula == '@')
+            strcat(text, word);
+        else
+            strncat(text, formula, 1);
+    return text;
+}
+
+static const cagd_tree *statement_with(const char *formula, const char *word)
+{
+    cagd_reading_error error;
+    const char *text = with_word(formula, word);
+    const cagd_tree *t = cagd_read_statement(&scope, text, 0, (int)strlen(text), &error);
+    if (t == NULL)
+        fail_msg("%s: %s", text, error.message);
+    return t;
+}
+
+/* What is written in several ways is one formula: every word that stands for another one, in a formula with both. */
+static void every_word_is_what_it_stands_for(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *formula, *plain, *word[36];
+    } list[] = {
+        {"x @ y", "\\le", {"\\leq", "\\leqslant", "\\leqq", "≤", "⩽", "≦", "\\ngtr", "\\not>", "{\\le}", "{}\\le{}"}},
+        {"x @ y", "\\ge", {"\\geq", "\\geqslant", "\\geqq", "≥", "⩾", "≧", "\\nless", "\\not<", "{\\ge}"}},
+        {"x @ y", "<", {"\\lt", "\\ngeq", "\\not\\ge", "{<}", "<{}"}},
+        {"x @ y", ">", {"\\gt", "\\nleq", "\\not\\le", "{>}", ">{}"}},
+        {"x @ y", "\\ne", {"\\neq", "≠", "\\not=", "{\\ne}"}},
+        {"x @ y", "=", {"\\equiv", "≡", "\\not\\ne", "{=}", "={}", "\\stackrel{(1)}{=}", "\\overset{!}{=}"}},
+        {"x @ [0,1] \\Rightarrow y = 1", "\\in", {"∈"}},
+        {"x @ [0,1] \\Rightarrow y = 1", "\\notin", {"∉", "\\not\\in"}},
+        {"1 + 2 + @ + n = x",
+         "\\dots",
+         {"\\ldots", "\\cdots", "\\dotsc", "\\dotsb", "\\dotsm", "\\dotso", "…", "⋯", "...", ".."}},
+        {"@{x}{y} = 1", "\\frac", {"\\dfrac", "\\tfrac", "\\cfrac", "\\nicefrac", "\\sfrac"}},
+        {"@{n}{k} = 1", "\\binom", {"\\dbinom", "\\tbinom"}},
+        {"x @ y = 1", "*", {"\\cdot", "\\cdotp", "\\ast", "⋅", "∗", "·"}},
+        {"\\mathbf a @ \\mathbf b = \\mathbf 0", "\\times", {"×"}},
+        {"@ \\mathbf a @ = 1", "\\|", {"\\Vert", "‖"}},
+        {"\\lVert \\mathbf a @ = 1", "\\|", {"\\rVert"}},
+        {"@ x @ = 1", "|", {"\\vert"}},
+        {"\\lvert x @ = 1", "|", {"\\rvert"}},
+        {"\\forall l \\in \\{0, 1\\} @ l < 2", ":", {"\\colon"}},
+        {"@ x + y \\} = 1", "\\{", {"\\lbrace"}},
+        {"\\{ x + y @ = 1", "\\}", {"\\rbrace"}},
+        {"@ x + y ] = 1", "[", {"\\lbrack"}},
+        {"[ x + y @ = 1", "]", {"\\rbrack"}},
+        {"x = 1 @ y = 1", "\\land", {"\\wedge", "∧"}},
+        {"x = 1 @ y = 1", "\\lor", {"\\vee", "∨", "\\text{ or }", "\\mathrm{or}"}},
+        {"@ (x = 1)", "\\neg", {"\\lnot", "¬"}},
+        {"x = 1 @ y = 1",
+         "\\Rightarrow",
+         {"\\implies", "\\Longrightarrow", "⇒", "⟹", "\\text{ implies }", "\\text{ implies that }"}},
+        {"x = 1 @ y = 1",
+         "\\Leftarrow",
+         {"\\impliedby",
+          "\\Longleftarrow",
+          "⇐",
+          "⟸",
+          "\\text{ if }",
+          "\\text{ when }",
+          "\\text{ whenever }",
+          "\\text{ provided that }",
+          "\\text{ provided }",
+          "\\text{ where }",
+          "\\text{ with }",
+          "\\text{ as long as }",
+          "\\text{ for }",
+          "\\text{ for all }",
+          "\\text{ for every }",
+          "\\text{ for any }",
+          "\\text{ for each }",
+          "{\\rm if}",
+          "\\mathrm{if}",
+          "\\mathrm{when}",
+          "\\mathrm{where}",
+          "\\mathrm{for}",
+          ", \\mbox{if}"}},
+        {"x = 1 @ y = 1",
+         "\\iff",
+         {"\\Leftrightarrow", "\\Longleftrightarrow", "⇔", "⟺", "\\text{ if and only if }", "\\text{ iff }",
+          "\\text{ exactly when }", "\\text{ is equivalent to }"}},
+        {"@ x = 1 \\text{ then } y = 1",
+         "\\text{if }",
+         {"\\text{If }", "\\text{when }", "\\text{whenever }", "\\text{suppose }", "\\text{Suppose that }",
+          "\\mathrm{if}"}},
+        {"\\text{if } x = 1 @ y = 1",
+         "\\text{ then }",
+         {"\\text{ implies }", "\\text{, then }", "\\mathrm{then}", "\\Rightarrow"}},
+        {"@ l \\in \\{0, 1\\}: l < 2", "\\forall", {"∀"}},
+        {"@ l \\in \\{0, 1\\}: l < 2", "\\exists", {"∃"}},
+        {"@_{l=0}^n z_l = 1", "\\sum", {"∑"}},
+        {"@_{l=0}^n z_l = 1", "\\prod", {"∏"}},
+        {"@_0^1 x \\, dx = 1", "\\int", {"∫"}},
+        {"\\int_0^1 x \\, @ x = 1",
+         "d",
+         {"\\mathrm d", "\\mathrm{d}", "\\operatorname{d}", "\\text{d}", "\\textrm{d}", "{\\rm d}"}},
+        {"\\frac{@}{@ x} x^2 = 1", "\\partial", {"∂"}},
+        {"@{4} = x", "\\sqrt", {"√"}},
+        {"@ x \\rfloor = 1", "\\lfloor", {"⌊"}},
+        {"\\lfloor x @ = 1", "\\rfloor", {"⌋"}},
+        {"@ x \\rceil = 1", "\\lceil", {"⌈"}},
+        {"\\lceil x @ = 1", "\\rceil", {"⌉"}},
+        {"@ \\mathbf a, \\mathbf b \\rangle = 1", "\\langle", {"⟨"}},
+        {"\\langle \\mathbf a, \\mathbf b @ = 1", "\\rangle", {"⟩"}},
+        {"x @ y = 1", "-", {"−"}},
+        {"F@(x) = 1", "'", {"′", "^\\prime", "^{\\prime}", "{}'"}},
+        {"x \\in [1, @) \\Rightarrow y = 1", "\\infty", {"∞", "+\\infty"}},
+        {"x \\in (@, 1] \\Rightarrow y = 1", "-\\infty", {"-∞", "−\\infty"}},
+        {"@ ( x + y ) = 1",
+         "",
+         {"\\left", "\\big", "\\Big", "\\bigg", "\\Bigg", "\\bigl", "\\Bigl", "\\biggl", "\\Biggl", "\\mleft",
+          "\\displaystyle", "\\textstyle", "\\scriptstyle", "\\boxed", "\\ensuremath"}},
+        {"( x + y @ ) = 1", "", {"\\right",     "\\bigr",
+                                 "\\Bigr",      "\\biggr",
+                                 "\\Biggr",     "\\mright",
+                                 "\\relax",     "\\strut",
+                                 "\\mathstrut", "\\bigm",
+                                 "\\Bigm",      "\\biggm",
+                                 "\\Biggm",     "\\middle",
+                                 "\\smallskip", "\\medskip",
+                                 "\\bigskip",   "\\nonumber",
+                                 "\\notag",     "\\hline",
+                                 "\\thinspace", "\\negthinspace",
+                                 "\\medspace",  "\\thickspace",
+                                 "\\enspace",   "\\enskip",
+                                 "\\hfill",     "\\,",
+                                 "\\;",         "\\:",
+                                 "\\!",         "\\ ",
+                                 "\\>"}},
+        {"( x + y @ ) = 1",
+         "",
+         {"~",
+          "\u00a0",
+          "\u2002",
+          "\u2003",
+          "\u2009",
+          "\u200a",
+          "\u202f",
+          "\u3000",
+          "\\hspace{2em}",
+          "\\hspace*{2em}",
+          "\\vspace{2em}",
+          "\\mspace{2mu}",
+          "\\phantom{y}",
+          "\\vphantom{y}",
+          "\\hphantom{y}",
+          "\\label{a}",
+          "\\tag{2}",
+          "\\tag*{2}",
+          "\\noalign{2}",
+          "\\color{red}",
+          "\\underset{2}",
+          "% y\n"}},
+        {"\\sum@_{l=0}^n z_l = 1", "", {"\\limits", "\\nolimits", "\\displaylimits"}},
+        {"\\begin{pmatrix} x @ y \\end{pmatrix} = (1, 2)", "\\\\", {"\\cr", "\\tabularnewline", "\\\\*", "\\\\[2mm]"}},
+        {"\\begin{@} x & y \\\\ 1 & 2 \\end{@} = A", "pmatrix", {"bmatrix", "Bmatrix", "matrix", "smallmatrix"}},
+        {"\\left(\\begin{array}@ x & y \\\\ 1 & 2 \\end{array}\\right) = A",
+         "{cc}",
+         {"{ll}", "{rr}", "{c|c}", "{@{}cc@{}}", "[t]{lr}", "{p{2cm}c}", "{*{2}c}"}},
+        {"A^@ = A",
+         "T",
+         {"{T}", "t", "\\top", "{\\top}", "\\intercal", "{\\mathsf T}", "\\mathsf{T}", "{\\mathsf{T}}", "\\mathrm T",
+          "\\mathit T", "\\mathtt T", "\\mathbf{T}", "{\\rm T}"}},
+        {"\\begin{cases} x & x > 0 \\\\ y & @ \\end{cases} = 1",
+         "\\text{otherwise}",
+         {"\\text{else}", "\\text{elsewhere}", "\\text{in all other cases}", "\\text{in other cases}",
+          "\\text{in the other cases}", "\\mbox{otherwise}", "\\hbox{otherwise}", "\\textrm{otherwise}",
+          "\\textnormal{otherwise}", "\\textup{otherwise}", "\\textit{otherwise}", "\\mathrm{otherwise}",
+          "\\mathit{otherwise}", "\\operatorname{otherwise}", "\\mathrm{else}", "\\mathrm{elsewhere}",
+          "\\mathrm{otherwise.}", "{\\rm otherwise}"}},
+        {"\\begin{cases} x & @ x > 0 \\\\ y & \\text{otherwise} \\end{cases} = 1",
+         "",
+         {"\\text{if }", "\\text{for }", "\\text{when }", "\\text{where }", "\\text{whenever }", "\\text{as }",
+          "\\text{with }", "\\text{provided }", "\\text{provided that }", "\\text{for all }", "\\text{for every }",
+          "\\text{for each }", "\\text{for any }", "\\mathrm{if}"}},
+        {"\\begin{cases} x & x > 0 @ y > 0 \\\\ y & \\text{otherwise} \\end{cases} = 1",
+         ",",
+         {"\\text{ and }", "\\mathrm{and}", "\\land"}},
+        {"\\begin{@} x & x > 0 \\\\ y & \\text{otherwise} \\end{@} = 1", "cases", {"dcases"}},
+        {"\\left\\{ \\begin{@ x, & x > 0 \\\\ y, & \\text{otherwise} \\end{array} \\right. = 1",
+         "array}{ll}",
+         {"array}{lr}"}},
+        {"@ x = 1", "\\sin", {"\\mathrm{sin}", "\\operatorname{sin}"}},
+        {"@ x = 1", "\\cos", {"\\mathrm{cos}", "\\operatorname{cos}"}},
+        {"@ x = 1", "\\tan", {"\\mathrm{tan}", "\\operatorname{tan}"}},
+        {"@ x = 1", "\\cot", {"\\mathrm{cot}", "\\operatorname{cot}"}},
+        {"@ A = 1", "\\det", {"\\mathrm{det}", "\\operatorname{det}"}},
+        {"@(x, y) = 1", "\\max", {"\\mathrm{max}", "\\operatorname{max}"}},
+        {"@(x, y) = 1", "\\min", {"\\mathrm{min}", "\\operatorname{min}"}},
+        {"@ = 1", "\\mathbf{u}", {"{\\bf u}", "{\\bfseries u}", "\\mathbf u"}},
+        {"@ = 1", "\\mathrm{u}", {"{\\rm u}", "\\mathrm u"}},
+        {"@ = 1", "\\mathit{u}", {"{\\it u}", "\\mathit u"}},
+        {"@ = 1", "\\mathcal{u}", {"{\\cal u}", "\\mathcal u"}},
+        {"@ = 1", "\\mathsf{u}", {"{\\sf u}", "\\mathsf u"}},
+        {"x^2 = x^2 @ x > 0, y > 0", "\\text{if }", {"\\text{whenever }", "\\text{provided that }"}},
+        {"x = x \\text{ for } x > 0 @ y > 0",
+         "\\text{ and }",
+         {",", ";", "\\land", "\\text{ and all }", "\\text{ and for all }"}},
+        {"n @ \\Rightarrow x = 1",
+         "\\text{ even}",
+         {"\\text{ is even}", "\\text{ be even}", "\\text{ are even}", "\\mathrm{even}"}},
+        {"n @ \\Rightarrow x = 1",
+         "\\text{ odd}",
+         {"\\text{ is odd}", "\\text{ be odd}", "\\text{ are odd}", "\\mathrm{odd}"}},
+        {"\\begin{@} x &= 1 \\\\ y &= 2 \\end{@}",
+         "aligned",
+         {"split", "equation", "align", "align*", "eqnarray", "gather", "gathered", "flalign", "multline", "cases",
+          "dcases"}},
+        {"\\begin{@ x &= 1 \\\\ y &= 2 \\end{alignedat}", "alignedat}{2}", {"alignedat}{1}"}},
+        {"\\begin{@ x &= 1 \\\\ y &= 2 \\end{alignat}", "alignat}{2}", {"alignat}{1}"}},
+    };
+    begin_words();
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        const cagd_tree *plain = statement_with(list[k].formula, list[k].plain);
+        for (int m = 0; m < 36 && list[k].word[m] != NULL; m++)
+            if (!cagd_tree_equal(plain, statement_with(list[k].formula, list[k].word[m])))
+                fail_msg("%s with %s is another formula than with %s", list[k].formula, list[k].word[m], list[k].plain);
+    }
+    field_close();
+}
+
+/* The space behind a row, in every unit, and as a multiple of a length, is no factor. */
+static void spaces_behind_rows(void **state)
+{
+    (void)state;
+    static const char *const written[] = {"2pt",
+                                          "2mm",
+                                          "-2cm",
+                                          "1in",
+                                          ".5ex",
+                                          "0,5em",
+                                          "2bp",
+                                          "2pc",
+                                          "2dd",
+                                          "2cc",
+                                          "2sp",
+                                          "2mu",
+                                          "2px",
+                                          "2 mm",
+                                          "\\jot",
+                                          "2\\jot",
+                                          "\\baselineskip",
+                                          "\\normalbaselineskip",
+                                          "\\smallskipamount",
+                                          "\\medskipamount",
+                                          "\\bigskipamount",
+                                          "\\lineskip",
+                                          "\\parskip"};
+    static const char rows[] = "\\begin{aligned} x &= 1, @ y &= 2 \\end{aligned}";
+    char text[60];
+    begin_words();
+    const cagd_tree *plain = statement_with(rows, "\\\\");
+    for (size_t k = 0; k < sizeof written / sizeof *written; k++) {
+        snprintf(text, sizeof text, "\\\\[%s]", written[k]);
+        if (!cagd_tree_equal(plain, statement_with(rows, text)))
+            fail_msg("%s is more than a space", text);
+    }
+    field_close();
+}
+
+/* Letters and digits that stand above or below the line in the source itself. */
+static void scripts_of_the_source(void **state)
+{
+    (void)state;
+    static const char *const above[][2] = {{"⁰", "0"}, {"¹", "1"}, {"²", "2"},   {"³", "3"},     {"⁴", "4"},
+                                           {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"},   {"⁸", "8"},     {"⁹", "9"},
+                                           {"ⁱ", "i"}, {"ʲ", "j"}, {"ᵏ", "k"},   {"ᵐ", "m"},     {"ⁿ", "n"},
+                                           {"ᵖ", "p"}, {"ʳ", "r"}, {"⁻¹", "-1"}, {"ⁿ⁺¹", "n+1"}, {"²⁴", "24"}},
+                             *const below[][2] = {{"₀", "0"}, {"₁", "1"},     {"₂", "2"},     {"₃", "3"},  {"₄", "4"},
+                                                  {"₅", "5"}, {"₆", "6"},     {"₇", "7"},     {"₈", "8"},  {"₉", "9"},
+                                                  {"ᵢ", "i"}, {"ⱼ", "j"},     {"ₖ", "k"},     {"ₘ", "m"},  {"ₙ", "n"},
+                                                  {"ₚ", "p"}, {"ₙ₋₁", "n-1"}, {"ᵢ₊₁", "i+1"}, {"₁₂", "12"}};
+    char text[40];
+    begin_words();
+    for (size_t k = 0; k < sizeof above / sizeof *above; k++) {
+        snprintf(text, sizeof text, "x^{%s} = 1", above[k][1]);
+        if (!cagd_tree_equal(statement_with(text, ""), statement_with("x@ = 1", above[k][0])))
+            fail_msg("x%s is not x^{%s}", above[k][0], above[k][1]);
+    }
+    for (size_t k = 0; k < sizeof below / sizeof *below; k++) {
+        snprintf(text, sizeof text, "z_{%s} = 1", below[k][1]);
+        if (!cagd_tree_equal(statement_with(text, ""), statement_with("z@ = 1", below[k][0])))
+            fail_msg("z%s is not z_{%s}", below[k][0], below[k][1]);
+    }
+    field_close();
+}
+
+/* Every letter of the Greek alphabet is the command for it, and is another one than its neighbour; so is a letter with another face. */
+static void letters_and_faces(void **state)
+{
+    (void)state;
+    static const char *const greek[][2] = {{"\\alpha", "α"},
+                                           {"\\beta", "β"},
+                                           {"\\gamma", "γ"},
+                                           {"\\delta", "δ"},
+                                           {"\\epsilon", "ε"},
+                                           {"\\zeta", "ζ"},
+                                           {"\\eta", "η"},
+                                           {"\\theta", "θ"},
+                                           {"\\iota", "ι"},
+                                           {"\\kappa", "κ"},
+                                           {"\\lambda", "λ"},
+                                           {"\\mu", "μ"},
+                                           {"\\nu", "ν"},
+                                           {"\\xi", "ξ"},
+                                           {"\\pi", "π"},
+                                           {"\\rho", "ρ"},
+                                           {"\\sigma", "σ"},
+                                           {"\\tau", "τ"},
+                                           {"\\upsilon", "υ"},
+                                           {"\\phi", "φ"},
+                                           {"\\chi", "χ"},
+                                           {"\\psi", "ψ"},
+                                           {"\\omega", "ω"},
+                                           {"\\Gamma", "Γ"},
+                                           {"\\Theta", "Θ"},
+                                           {"\\Lambda", "Λ"},
+                                           {"\\Xi", "Ξ"},
+                                           {"\\Pi", "Π"},
+                                           {"\\Sigma", "Σ"},
+                                           {"\\Phi", "Φ"},
+                                           {"\\Psi", "Ψ"},
+                                           {"\\Omega", "Ω"},
+                                           {"\\varphi", "ϕ"},
+                                           {"\\vartheta", "ϑ"},
+                                           {"\\ell", "ℓ"},
+                                           {"\\epsilon", "\\varepsilon"},
+                                           {"\\Delta", "Δ"},
+                                           {"\\hat x", "\\widehat{x}"},
+                                           {"\\tilde x", "\\widetilde{x}"},
+                                           {"\\bar x", "\\overline{x}"}};
+    static const char *const faces[] = {
+        "\\hat",        "\\bar",      "\\tilde",   "\\dot",      "\\ddot",      "\\dddot",        "\\vec",
+        "\\check",      "\\breve",    "\\mathbf",  "\\mathrm",   "\\mathit",    "\\mathcal",      "\\bm",
+        "\\boldsymbol", "\\mathsf",   "\\mathbb",  "\\mathfrak", "\\underline", "\\operatorname", "\\acute",
+        "\\grave",      "\\mathring", "\\mathscr", "\\mathtt",   "\\pmb",       "\\textbf"};
+    enum { LETTERS = sizeof greek / sizeof *greek, FACES = sizeof faces / sizeof *faces };
+    scope = (cagd_scope){0};
+    field_open(16);
+    for (int k = 0; k < LETTERS; k++)
+        if (!define(with_word("@ \\in \\mathbb{R}", greek[k][0])))
+            fail_msg("%s cannot be declared", greek[k][0]);
+    for (int k = 0; k < LETTERS; k++) {
+        const cagd_tree *t = statement_with("@ = 1", greek[k][0]);
+        if (!cagd_tree_equal(t, statement_with("@ = 1", greek[k][1])))
+            fail_msg("%s is not %s", greek[k][1], greek[k][0]);
+        for (int m = 0; m < k; m++)
+            if (strcmp(greek[k][0], greek[m][0]) != 0)
+                assert_false(cagd_tree_equal(t, statement_with("@ = 1", greek[m][0])));
+    }
+    scope = (cagd_scope){0};
+    for (int k = 0; k < FACES; k++)
+        if (!define(with_word("@{v} \\in \\mathbb{R}", faces[k])))
+            fail_msg("%s{v} cannot be declared", faces[k]);
+    for (int k = 0; k < FACES; k++)
+        for (int m = 0; m < k; m++)
+            assert_false(cagd_tree_equal(statement_with("@{v} = 1", faces[k]), statement_with("@ v = 1", faces[m])));
+    field_close();
+}
+
+/* What is told of words of the language, of functions without a backslash, and of those that are not computed: each of them. */
+static void words_that_are_no_names(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *formula, *told, *word[16];
+    } list[] = {{"z_1 = 1 @ z_2",
+                 "words stand in \\text{@}",
+                 {"for", "if", "and", "or", "where", "with", "then", "when", "otherwise"}},
+                {"z_1 = @ z_2",
+                 "or is it \\@?",
+                 {"sin", "cos", "tan", "max", "min", "det", "sum", "prod", "frac", "binom", "sqrt", "int"}},
+                {"z_1 = \\@ z_2",
+                 "is no rational function",
+                 {"sec", "csc", "exp", "log", "ln", "sinh", "cosh", "tanh", "arcsin", "arccos", "arctan"}},
+                {"z_1 = \\@{z_2}", "of plain TeX: write \\begin{@}", {"cases", "matrix", "pmatrix"}},
+                {"z_1 = \\eqalign{@}", "of plain TeX: write \\begin{aligned}", {"z_2"}}};
+    scope = (cagd_scope){0};
+    field_open(16);
+    assert_true(define("z_i \\in \\mathbb{R}"));
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (int m = 0; m < 16 && list[k].word[m] != NULL; m++) {
+            cagd_reading_error error;
+            const char *text = with_word(list[k].formula, list[k].word[m]),
+                       *told = with_word(list[k].told, list[k].word[m]);
+            assert_null(cagd_read_statement(&scope, text, 0, (int)strlen(text), &error));
+            if (strstr(error.message, told) == NULL)
+                fail_msg("%s: %s", text, error.message);
+        }
+    field_close();
+}
+
 /* The simplest number between two: none with a smaller denominator is between them. */
 static void test_simplest(void **state)
 {
@@ -331,8 +749,17 @@ static void test_cells(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(test_values),      unit(test_no_values), unit(test_names),
-                                       unit(test_definitions), unit(test_simplest),  unit(test_signs_in_boxes),
+    const struct CMUnitTest tests[] = {unit(test_values),
+                                       unit(test_no_values),
+                                       unit(test_names),
+                                       unit(test_definitions),
+                                       unit(test_simplest),
+                                       unit(test_signs_in_boxes),
+                                       unit(every_word_is_what_it_stands_for),
+                                       unit(spaces_behind_rows),
+                                       unit(scripts_of_the_source),
+                                       unit(letters_and_faces),
+                                       unit(words_that_are_no_names),
                                        unit(test_cells)};
     return run_unit_tests(tests);
 }
