@@ -512,6 +512,9 @@ static const cagd_variable *unused_range(const struct document *d, const struct 
         for (const cagd_definition *a = s->scope.definitions; a != NULL; a = a->next)
             is_used |= a->when != NULL && cagd_tree_has(a->when, v->head) &&
                        cagd_depends_on(&s->scope, s->tree, a->left->head);
+        for (const cagd_variable *w = s->scope.variables; w != NULL; w = w->next) /* x_i \ge 0, i = 2, 3, 4 */
+            is_used |= w->when != NULL && cagd_tree_has(w->when, v->head) &&
+                       cagd_depends_on(&s->scope, s->tree, w->head);
         if (!is_used)
             return v;
     }

@@ -1,6 +1,7 @@
-"""All that `cagd check` tells of page.md, which has every kind of answer: the page, JSON, JUnit's XML, and the pictures, to the letter.
+"""All that `cagd check` tells of page.md, which has every kind of answer, and of page-forms.md and page-bases.md, with forms of them that are rare: the page, JSON, JUnit's XML, and the
+pictures, to the letter.
 
-    python3 test_page.py CAGD             compares with page.txt, page.json, page.xml, page.svg, page-mistakes.txt
+    python3 test_page.py CAGD             compares with page.txt, page.json, page.xml, page.svg, those of the other two, page-mistakes.txt
     python3 test_page.py CAGD --write     writes them anew, to be read before they are kept
 """
 import pathlib
@@ -14,11 +15,14 @@ HERE = pathlib.Path(__file__).resolve().parent
 CAGD = str(pathlib.Path(sys.argv.pop(1)).resolve())
 
 
-def told():
+PAGES = ("page", "page-forms", "page-bases")
+
+
+def told(name):
     """{ending: text}; times are left out."""
     with tempfile.TemporaryDirectory() as folder:
         svg, xml = pathlib.Path(folder) / "page.svg", pathlib.Path(folder) / "page.xml"
-        run = lambda *options: subprocess.run([CAGD, "check", *options, "page.md"], cwd=HERE, capture_output=True, text=True, timeout=600)
+        run = lambda *options: subprocess.run([CAGD, "check", *options, f"{name}.md"], cwd=HERE, capture_output=True, text=True, timeout=600)
         page, as_json = run("--svg", svg, "--junit", xml), run("--json")
         assert (page.returncode, page.stderr, as_json.returncode, as_json.stderr) == (1, "", 1, ""), (page.stderr, as_json.stderr)
         times = lambda text: re.sub(r'(time|timestamp|hostname|version)="[^"]*"', r'\1=""', text)
@@ -39,9 +43,10 @@ class Page(unittest.TestCase):
     maxDiff = None
 
     def test_everything_is_told_as_it_was(self):
-        for ending, text in told().items():
-            with self.subTest(ending=ending):
-                self.assertEqual(text.splitlines(), (HERE / f"page.{ending}").read_text().splitlines())
+        for name in PAGES:
+            for ending, text in told(name).items():
+                with self.subTest(name=name, ending=ending):
+                    self.assertEqual(text.splitlines(), (HERE / f"{name}.{ending}").read_text().splitlines())
 
     def test_every_mistake_of_a_block_is_told(self):
         self.assertEqual(mistakes().splitlines(), (HERE / "page-mistakes.txt").read_text().splitlines())
@@ -49,8 +54,9 @@ class Page(unittest.TestCase):
 
 if __name__ == "__main__":
     if sys.argv[1:] == ["--write"]:
-        for ending, text in told().items():
-            (HERE / f"page.{ending}").write_text(text)
+        for name in PAGES:
+            for ending, text in told(name).items():
+                (HERE / f"{name}.{ending}").write_text(text)
         (HERE / "page-mistakes.txt").write_text(mistakes())
     else:
         unittest.main(verbosity=2)
