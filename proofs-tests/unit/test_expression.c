@@ -112,6 +112,98 @@ static void test_values(void **state)
     field_close();
 }
 
+/* Every one of several counts, wherever it stands; numbers and lists at their ends; and every component. */
+static void each_of_several_counts(void **state)
+{
+    (void)state;
+    begin();
+    has_value("\\max(9, 1, 2, 3) + \\max(1, 9, 2, 3) + \\max(1, 2, 9, 3) + \\max(1, 2, 3, 9) + \\max(9)", 45, 1);
+    has_value("\\min(-9, 1, 2, 3) + \\min(1, -9, 2, 3) + \\min(1, 2, -9, 3) + \\min(1, 2, 3, -9) + \\min(9)", -27, 1);
+    has_value("\\lceil 3 \\rceil + \\lceil -7/2 \\rceil + \\lfloor 3 \\rfloor + \\lfloor 7/2 \\rfloor", 6, 1);
+    has_value(
+        "\\lceil -3 \\rceil + \\lfloor -3 \\rfloor + \\lceil 0 \\rceil + \\lceil 1/9 \\rceil + \\lfloor 8/9 \\rfloor",
+        -5, 1);
+    has_value("\\sqrt[1]{x} + \\sqrt[3]{8} + \\sqrt{4/9} + \\sqrt[4]{16} + \\sqrt{0}", 16, 3);
+    has_value("0! + 1! + 2! + 3!", 10, 1);
+    has_value("\\binom{0}{0} + \\binom{5}{5} + \\binom{5}{0} + \\binom{5}{6} + \\binom{1/2}{2} + \\binom{-1}{3}", 15,
+              8);
+    has_value("\\begin{bmatrix} 4 \\\\ 2 \\end{bmatrix}_2 + {4 \\brack 0}_2 + {4 \\brack 4}_2 + {4 \\brack 5}_2 + {4 "
+              "\\brack -1}_2 + {5 \\brack 4}_2",
+              35 + 2 + 31, 1);
+    has_value("[0]_2 + [1]_2 + [3]_2 + [3]_2! + [0]_2! + [5]_1 + [3]_{-1}", 0 + 1 + 7 + 21 + 1 + 5 + 1, 1);
+    has_value("(-2)^{-3} + y^1 + 0^5 + 1^{-1} + (-1)^{1000} + (-1)^{999}", -33, 8);
+    has_value("\\|\\mathbf a\\|^{-2} + \\|\\mathbf a\\|^4 + \\|\\mathbf a\\|^3 + \\|\\mathbf a\\|^0", 982, 9);
+    /* conditions, the first, the last and all others; letters with one amount */
+    has_value("\\sum_{k=0, k \\ne 1, k \\ne 2, k \\ne 4}^5 k", 8, 1);
+    has_value("\\prod_{k=1, k \\ne 2, k \\ne 3, k \\ne 5}^6 k", 24, 1);
+    has_value("\\max_{k=0, k \\ne 3, k < 3}^3 k + \\min_{k=0, k > 0, k \\ne 1}^3 k + \\max_{k=2}^2 k", 6, 1);
+    has_value("\\sum_{i=0}^2 \\sum_{j=0}^i \\sum_{k=0}^j 1 + \\sum_{i,j,k=0}^1 1", 18, 1);
+    has_value("\\sum_{i+j=3} i + \\sum_{i+j<2} 1 + \\sum_{i+j \\le 2} j + \\sum_{i+j+k=2} k + \\sum_{i+j+k \\le 1} 1",
+              6 + 3 + 4 + 4 + 4, 1);
+    has_value(
+        "\\sum_{0 \\le i < j < k \\le 3} 1 + \\sum_{0 \\le i \\le j \\le k \\le 1} 1 + \\sum_{0 < i < j \\le k < 3} 1",
+        4 + 4 + 1, 1);
+    /* components, entries, and the rows and columns of determinants and inverses */
+    has_value("|(3, 4)| + \\|(1, 1, 1, 1)\\| + (1, 2, 3, 4) \\cdot (1, 10, 100, 1000) + (1, 2) \\cdot (3, 4)",
+              5 + 2 + 4321 + 11, 1);
+    has_value("((1, 2, 4) \\times (3, 5, 7)) \\cdot (1, 0, 0)", -6, 1);
+    has_value("((1, 2, 4) \\times (3, 5, 7)) \\cdot (0, 1, 0)", 5, 1);
+    has_value("((1, 2, 4) \\times (3, 5, 7)) \\cdot (0, 0, 1)", -1, 1);
+    has_value("\\begin{vmatrix} 0 & 0 & 0 & 2 \\\\ 3 & 0 & 0 & 0 \\\\ 0 & 5 & 0 & 0 \\\\ 0 & 0 & 7 & 0 \\end{vmatrix}",
+              -210, 1);
+    has_value("\\begin{vmatrix} 0 & 0 & 0 & 0 & 2 \\\\ 3 & 0 & 0 & 0 & 0 \\\\ 0 & 5 & 0 & 0 & 0 \\\\ 0 & 0 & 7 & 0 & 0 "
+              "\\\\ 1 & 1 & 1 & 11 & 1 \\end{vmatrix}",
+              2310, 1);
+    has_value("\\begin{vmatrix} 1 & 0 & 0 & 0 & 0 & 9 \\\\ 0 & 2 & 0 & 0 & 0 & 0 \\\\ 0 & 0 & 3 & 0 & 0 & 0 \\\\ 0 & 0 "
+              "& 0 & 5 & 0 & 0 \\\\ 0 & 0 & 0 & 0 & 7 & 0 \\\\ 1 & 0 & 0 & 0 & 0 & 10 \\end{vmatrix}",
+              210, 1);
+    assert_true(define(
+        "M = \\begin{pmatrix} 1 & 2 & 0 \\\\ 0 & 1 & 3 \\\\ 1 & 0 & 1 \\end{pmatrix}")); /* its determinant is 7 */
+    static const long given[3][3] = {{1, 2, 0}, {0, 1, 3}, {1, 0, 1}},
+                      inverse[3][3] = {{1, -2, 6}, {3, 1, -3}, {-1, 2, 1}};
+    static const char *const unit_vector[] = {"(1, 0, 0)", "(0, 1, 0)", "(0, 0, 1)"};
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++) {
+            long square = 0, of_inverse = 0;
+            for (int k = 0; k < 3; k++)
+                square += given[row][k] * given[k][column], of_inverse += inverse[row][k] * inverse[k][column];
+            const struct {
+                const char *matrix;
+                long p, q;
+            } list[] = {{"M", given[row][column], 1}, {"M^T", given[column][row], 1},      {"M^0", row == column, 1},
+                        {"M^2", square, 1},           {"M^{-1}", inverse[row][column], 7}, {"M^{-2}", of_inverse, 49}};
+            for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+                char text[100];
+                snprintf(text, sizeof text, "%s \\cdot (%s %s)", unit_vector[row], list[k].matrix, unit_vector[column]);
+                has_value(text, list[k].p, list[k].q);
+            }
+        }
+    /* orders of derivatives, places, ends of integrals */
+    has_value("\\frac{d^0}{dx^0} x^4 + \\frac{d}{dx} x^4 + \\frac{d^3}{dx^3} x^4 + \\frac{d^4}{dx^4} x^4 + "
+              "\\frac{d^5}{dx^5} x^4",
+              16 + 96 + 16 * 81 + 24 * 81, 81);
+    has_value("Z_s'(3) + Z_s''(3) + Z_s'''(3) + Z_s^{(0)}(3) + Z_s^{(2)}(3)", 6 + 2 + 0 + 9 + 2, 1);
+    has_value("[x^2 y]_{x=3} + [x^2 y]_{x=1, y=2} + [x^2 y]_{(x,y)=(2,3)}", -45 + 2 + 12, 1);
+    has_value("\\int_1^0 z \\, dz + \\int_2^2 z \\, dz + \\int_{-1}^1 z^3 \\, dz + \\int_{-2}^{-1} 1 \\, dz", 1, 2);
+    /* every case, and every connective of a condition; x = 2/3, y = -5 */
+    has_value(
+        "\\begin{cases} 1 & x < 0 \\\\ 2 & x > 1 \\\\ 3 & y > 0 \\\\ 4 & y < 0 \\\\ 5 & \\text{otherwise} \\end{cases}",
+        4, 1);
+    has_value("\\begin{cases} 1 & x < 0 \\lor x > 1 \\lor y < 0 \\\\ 2 & \\text{otherwise} \\end{cases}", 1, 1);
+    has_value("\\begin{cases} 1 & x > 0, x < 1, y > 0 \\\\ 2 & \\text{otherwise} \\end{cases}", 2, 1);
+    has_value("\\begin{cases} 1 & \\neg(x < 0) \\\\ 2 & \\text{otherwise} \\end{cases}", 1, 1);
+    has_value("\\begin{cases} 1 & x \\le 2/3 \\\\ 2 & \\text{otherwise} \\end{cases} + \\begin{cases} 10 & x < 2/3 "
+              "\\\\ 20 & \\text{otherwise} \\end{cases}",
+              21, 1);
+    has_value("\\begin{cases} 1 & x \\ge 2/3 \\\\ 2 & \\text{otherwise} \\end{cases} + \\begin{cases} 10 & x > 2/3 "
+              "\\\\ 20 & \\text{otherwise} \\end{cases}",
+              21, 1);
+    has_value("\\begin{cases} 1 & x = 2/3 \\\\ 2 & \\text{otherwise} \\end{cases} + \\begin{cases} 10 & x \\ne 2/3 "
+              "\\\\ 20 & \\text{otherwise} \\end{cases}",
+              21, 1);
+    field_close();
+}
+
 /* Values that are none. */
 static void test_no_values(void **state)
 {
@@ -124,6 +216,21 @@ static void test_no_values(void **state)
                 {"0^{-1}", FAULT_UNDEFINED},
                 {"(-1)!", FAULT_UNDEFINED},
                 {"(1/2)!", FAULT_UNABLE},
+                {"(-2)!", FAULT_UNDEFINED},
+                {"\\max_{k=1}^0 k", FAULT_UNDEFINED},
+                {"\\min_{k=0, k > 5}^2 k", FAULT_UNDEFINED},
+                {"\\max_{k=0, k > 5}^2 k", FAULT_UNDEFINED},
+                {"\\sqrt{-1}", FAULT_UNABLE},
+                {"\\sqrt[0]{2}", FAULT_UNABLE},
+                {"\\sqrt[-2]{4}", FAULT_UNABLE},
+                {"\\sqrt[1/2]{4}", FAULT_UNABLE},
+                {"Z_s^{(-1)}(3)", FAULT_UNABLE},
+                {"\\frac{d^{-1}}{dx^{-1}} x^2", FAULT_UNABLE},
+                {"[-1]_2", FAULT_UNABLE},
+                {"[1/2]_2", FAULT_UNABLE},
+                {"{-1 \\brack 0}_2", FAULT_UNABLE},
+                {"\\begin{vmatrix} 1/(x-2/3) & 0 \\\\ 0 & 0 \\end{vmatrix}", FAULT_UNDEFINED},
+                {"(1, 0) \\cdot (\\begin{pmatrix} 1 & 2 \\\\ 2 & 4 \\end{pmatrix}^{-1} (1, 0))", FAULT_UNDEFINED},
                 {"x^{1/2}", FAULT_UNABLE},
                 {"\\binom{3}{1/2}", FAULT_UNABLE},
                 {"\\sqrt{2}", FAULT_UNABLE},
@@ -749,17 +856,12 @@ static void test_cells(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(test_values),
-                                       unit(test_no_values),
-                                       unit(test_names),
-                                       unit(test_definitions),
-                                       unit(test_simplest),
-                                       unit(test_signs_in_boxes),
-                                       unit(every_word_is_what_it_stands_for),
-                                       unit(spaces_behind_rows),
-                                       unit(scripts_of_the_source),
-                                       unit(letters_and_faces),
-                                       unit(words_that_are_no_names),
+    const struct CMUnitTest tests[] = {unit(test_values),         unit(each_of_several_counts),
+                                       unit(test_no_values),      unit(test_names),
+                                       unit(test_definitions),    unit(test_simplest),
+                                       unit(test_signs_in_boxes), unit(every_word_is_what_it_stands_for),
+                                       unit(spaces_behind_rows),  unit(scripts_of_the_source),
+                                       unit(letters_and_faces),   unit(words_that_are_no_names),
                                        unit(test_cells)};
     return run_unit_tests(tests);
 }
