@@ -174,6 +174,164 @@ static void what_is_false_near_a_point(void **state)
             }
 }
 
+/* Statements of which every part is needed, and the same with one part less, or another one: the first, the last and those between, both directions, both sides, bounds that
+ * are met and bounds that are not. */
+static void every_part_counts(void **state)
+{
+    (void)state;
+    static const char numbers[] = "x, y, u, v, x_i \\in \\mathbb{R}";
+    static const struct {
+        const char *lines[4], *holds[8], *fails[8];
+    } list[] = {
+        /* what is never 0, above it, below it, and on either side */
+        {{numbers},
+         {"x^2 + 1 \\ne 0", "-x^2 - 1 \\ne 0", "x^2 + y^2 \\ne -1", "-x^2 - y^2 - u^2 \\ne 1"},
+         {"x \\ne 0", "x^2 \\ne 1", "-x^2 \\ne 0", "x y \\ne 1"}},
+        {{numbers, "*x_i < x_{i+1}"},
+         {"x_0 \\ne x_1", "x_1 \\ne x_0", "x_0 \\ne x_2", "x_2 > x_0", "x_0 < x_1 < x_2 < x_3"},
+         {"x_0 > x_1", "x_2 - x_1 \\ne x_1 - x_0", "x_0 < x_1 < x_2 < x_1"}},
+        {{numbers, "*x_i \\le x_{i+1}"},
+         {"x_0 \\le x_3", "x_3 \\ge x_0"},
+         {"x_0 < x_3", "x_0 \\ne x_1", "x_0 \\ge x_1"}},
+        {{numbers, "*x \\le y \\le u \\le v"},
+         {"x \\le y", "y \\le u", "u \\le v", "x \\le v", "x + y \\le u + v"},
+         {"x < v", "v \\le x", "x + v \\le y + u"}},
+        {{numbers, "*x = y = u"}, {"x = y", "y = u", "u = x"}, {"x = v", "u = 1"}},
+        {{numbers, "*x \\ge 1, y \\ge 1, u \\ge 1"},
+         {"x y u \\ge 1", "x + y + u \\ge 3", "u \\ge 1"},
+         {"x y v \\ge 1", "x + y + u > 3", "v \\ge 1"}},
+        {{numbers, "*0 \\le x \\le 1, 0 < y < 1"},
+         {"x (1-x) \\ge 0", "y (1-y) > 0", "x y < 1", "x + y > 0", "x + y < 2"},
+         {"x (1-x) > 0", "x y > 0", "x \\ge y", "y \\ge \\frac12"}},
+        {{numbers, "*-1 \\le x < 1"}, {"1 - x > 0", "1 + x \\ge 0", "x^2 \\le 1"}, {"1 + x > 0", "x^2 < 1"}},
+        {{numbers, "*-1 < x \\le 1"}, {"1 + x > 0", "1 - x \\ge 0", "x^3 > -1"}, {"1 - x > 0", "x^2 < 1"}},
+        {{numbers, "*x \\le 0"},
+         {"-x \\ge 0", "x^3 \\le 0", "|x| = -x", "\\max(x, 0) = 0", "\\min(x, 0) = x"},
+         {"x < 0", "|x| = x", "|x| > 0"}},
+        {{numbers, "*0 \\le x, y, u \\le 1"},
+         {"x y u \\le 1", "x + y + u \\le 3", "(1-x)(1-y)(1-u) \\ge 0"},
+         {"x + y + u \\le 2", "(1-x)(1-y)(1-u) > 0", "x + y + v \\le 3"}},
+        /* connectives */
+        {{numbers},
+         {"x > 0, y > 0, u > 0 \\Rightarrow x y u > 0", "x > 0 \\Rightarrow x \\ge 0", "x > 1 \\Rightarrow x^2 > x",
+          "x = 1 \\Rightarrow (y = 2 \\Rightarrow x + y = 3)"},
+         {"x > 0, y > 0 \\Rightarrow x y u > 0", "x > 0, u > 0 \\Rightarrow x y u > 0",
+          "y > 0, u > 0 \\Rightarrow x y u > 0", "x \\ge 0 \\Rightarrow x > 0", "x \\ge 1 \\Rightarrow x^2 > x"}},
+        {{numbers},
+         {"x < 0 \\lor x = 0 \\lor x > 0", "x \\le 0 \\lor x > 0", "\\neg(x < 0) \\lor x < 1",
+          "\\neg(x > 0 \\iff x \\le 0)", "x y = 0 \\iff x = 0 \\lor y = 0"},
+         {"x < 0 \\lor x > 0", "x < 0 \\lor x = 0", "x = 0 \\lor x > 0", "\\neg(x > 0 \\iff y > 0)",
+          "x y = 0 \\iff x = 0", "x y = 0 \\iff y = 0", "\\neg(x > 0)"}},
+        {{numbers},
+         {"x > 0 \\iff -x < 0", "x^2 = 1 \\iff x = 1 \\lor x = -1", "x = y \\iff x - y = 0"},
+         {"x^2 = 1 \\iff x = 1", "x = 1 \\iff x^2 = 1", "x > 0 \\iff x^2 > 0", "x \\ge 0 \\iff x > 0"}},
+        /* the greatest and the least of several, and amounts */
+        {{numbers},
+         {"\\max(x, y, u) \\ge x", "\\max(x, y, u) \\ge y", "\\max(x, y, u) \\ge u", "\\min(x, y, u) \\le u",
+          "\\max(x, y) + \\min(x, y) = x + y", "\\min(x, y) = -\\max(-x, -y)"},
+         {"\\max(x, y, u) > x", "\\max(x, y, u) > u", "\\min(x, y, u) < y", "\\max(x, y) = x", "\\min(x, y) = y",
+          "\\max(x, y, u) = \\max(x, y)"}},
+        {{numbers},
+         {"\\max(x, y) < u \\Rightarrow x < u", "\\max(x, y) < u \\Rightarrow y < u",
+          "x < u, y < u \\Rightarrow \\max(x, y) < u", "\\min(x, y) > u \\Rightarrow y > u",
+          "x \\ge u, y \\ge u \\Rightarrow \\min(x, y) \\ge u"},
+         {"x < u \\Rightarrow \\max(x, y) < u", "y < u \\Rightarrow \\max(x, y) < u",
+          "\\max(x, y) > u \\Rightarrow x > u", "\\min(x, y) < u \\Rightarrow x < u",
+          "x \\ge u \\Rightarrow \\min(x, y) \\ge u"}},
+        {{numbers},
+         {"|x| < 1 \\iff -1 < x < 1", "|x| \\ge 1 \\iff x \\le -1 \\lor x \\ge 1", "|x| = 0 \\iff x = 0",
+          "|x y| = |x| |y|", "|x + y| \\le |x| + |y|", "|x| \\ne -1"},
+         {"|x| < 1 \\iff x < 1", "|x| < 1 \\iff x > -1", "|x| \\ge 1 \\iff x \\ge 1", "|x + y| < |x| + |y|",
+          "|x + y| = |x| + |y|", "|x| \\ne 1"}},
+        {{numbers},
+         {"\\sqrt{x^2+1} > x", "\\sqrt{x^2+1} > -x", "\\sqrt{x^2+1} \\ge 1", "\\sqrt{x^2+1} \\ne x",
+          "x < \\sqrt{x^2+1}", "\\sqrt{x^2+y^2} \\le |x| + |y|"},
+         {"\\sqrt{x^2+1} \\ne 1", "\\sqrt{x^2+1} > 1", "\\sqrt{x^2+1} \\le x + 1", "\\sqrt{x^2+y^2} = |x| + |y|",
+          "\\sqrt{x^2+4} \\ge 3"}},
+        /* quantifiers over one number, over none, and over several, of which the first or the last breaks it */
+        {{numbers},
+         {"\\forall k \\in \\{2\\}: k = 2", "\\forall k \\in \\{0, \\dots, 3\\}: k^2 \\le 9",
+          "\\exists k \\in \\{0, \\dots, 3\\}: k^2 = 9", "\\exists k \\in \\{0, \\dots, 3\\}: k = 0",
+          "\\forall k \\in \\{0, 3, 5\\}: k \\ne 4"},
+         {"\\forall k \\in \\{0, \\dots, 3\\}: k^2 < 9", "\\forall k \\in \\{0, \\dots, 3\\}: k > 0",
+          "\\exists k \\in \\{0, \\dots, 3\\}: k = 4", "\\exists k \\in \\{0, 3, 5\\}: k = 4",
+          "\\forall k \\in \\{0, 3, 5\\}: k < 5", "\\forall k \\in \\{0, 3, 5\\}: k > 0"}},
+        {{numbers, "*n = 0..3"},
+         {"n (n-1) (n-2) (n-3) = 0", "0 \\le n \\le 3", "\\exists k \\in \\{0, \\dots, n\\}: k = n"},
+         {"n (n-1) (n-2) = 0", "(n-1) (n-2) (n-3) = 0", "n < 3", "n > 0"}},
+        {{numbers, "*n = 1..2, m = 0..n"},
+         {"m \\le n", "m (m-1) (m-2) = 0"},
+         {"m < n", "m (m-1) = 0", "(m-1) (m-2) = 0", "m + n < 4", "m + n > 1"}},
+        {{numbers, "*n = 1, 4, 6"},
+         {"(n-1) (n-4) (n-6) = 0"},
+         {"(n-1) (n-4) = 0", "(n-4) (n-6) = 0", "(n-1) (n-6) = 0"}},
+        {{numbers, "*n = 2, 4, \\dots, 8"},
+         {"(n-2) (n-4) (n-6) (n-8) = 0", "\\lfloor n/2 \\rfloor = n/2"},
+         {"(n-2) (n-4) (n-6) = 0", "(n-4) (n-6) (n-8) = 0", "n \\ne 6"}},
+        {{numbers, "*i = 1..1, j = 1..1, k = 1..1, l = 1..1, m = 1..1, n = 1..1, p = 1..1, r = 1..1"},
+         {"i + j + k + l + m + n + p + r = 8"},
+         {"i + j + k + l + m + n + p + r = 7"}},
+        /* chains and lists of relations: each link, each part */
+        {{numbers},
+         {"x^2 \\ge 0 = 0 \\cdot x", "-x^2 \\le 0 \\le x^2 \\le x^2 + 1", "(x+y)^2 = x^2 + 2 x y + y^2 = (y+x)^2"},
+         {"-x^2 \\le 0 \\le x^2 \\le x^2 - 1", "-x^2 \\le 0 < x^2 \\le x^2 + 1", "-x^2 < 0 \\le x^2",
+          "(x+y)^2 = x^2 + y^2 = (y+x)^2", "(x+y)^2 = x^2 + 2 x y + y^2 = (y-x)^2"}},
+        {{numbers},
+         {"x + x = 2 x \\land y + y = 2 y \\land u + u = 2 u"},
+         {"x + x = x \\land y + y = 2 y \\land u + u = 2 u", "x + x = 2 x \\land y + y = y \\land u + u = 2 u",
+          "x + x = 2 x \\land y + y = 2 y \\land u + u = u"}},
+        /* roots of numbers, whatever squares are in them */
+        {{numbers},
+         {"\\sqrt{50} = 5 \\sqrt{2}", "\\sqrt{32} = 4 \\sqrt{2}", "\\sqrt{\\frac{1}{2}} = \\frac{\\sqrt{2}}{2}",
+          "\\sqrt{2} \\sqrt{3} = \\sqrt{6}", "\\sqrt{98} + \\sqrt{8} = 9 \\sqrt{2}", "1 < \\sqrt{2} < \\frac32"},
+         {"\\sqrt{50} = 2 \\sqrt{5}", "\\sqrt{32} = 2 \\sqrt{2}", "\\sqrt{2} + \\sqrt{3} = \\sqrt{5}",
+          "\\sqrt{2} \\ge \\frac32", "\\sqrt{3} \\le \\sqrt{2}"}},
+        /* pieces: at their joint, above and below it */
+        {{numbers, "f(x) = \\begin{cases} x^2 & x \\ge 0 \\\\ -x^2 & x < 0 \\end{cases}"},
+         {"f(0) = 0", "f'(0) = 0", "f(-x) = -f(x)", "f'(x) = 2 |x|", "f(x) x \\ge 0"},
+         {"f(x) \\ge 0", "f(x) \\le 0", "f'(x) = 2 x", "f'(x) = -2 x"}},
+        {{numbers, "g(x) = \\begin{cases} 1 & x > 1 \\\\ 2 & x = 1 \\\\ 3 & x < 1 \\end{cases}"},
+         {"g(1) = 2", "g(2) = 1", "g(0) = 3", "1 \\le g(x) \\le 3"},
+         {"g(x) < 3", "g(x) > 1", "g(x) \\ne 2"}},
+        /* sums of squares, and what touches 0 */
+        {{numbers},
+         {"x^2 - 2 x y + y^2 \\ge 0", "x^2 + y^2 + u^2 \\ge x y + y u + u x", "x^4 - 2 x^2 + 1 \\ge 0"},
+         {"x^2 - 2 x y + y^2 > 0", "x^2 - 3 x y + y^2 \\ge 0", "x^4 - 2 x^2 + 1 > 0", "x^4 - 3 x^2 + 1 \\ge 0"}},
+        /* angles */
+        {{"\\alpha, \\beta \\in \\mathbb{R}"},
+         {"\\cos^2 \\alpha + \\sin^2 \\alpha = 1",
+          "\\cos(\\alpha - \\beta) = \\cos \\alpha \\cos \\beta + \\sin \\alpha \\sin \\beta",
+          "\\sin(\\alpha + \\pi) = -\\sin \\alpha", "\\cos \\frac{5\\pi}{12} > \\frac14", "\\cos \\alpha \\ge -1",
+          "\\sin(-\\alpha) = -\\sin \\alpha", "2 \\cos^2 \\frac{\\alpha}{2} = 1 + \\cos \\alpha"},
+         {"\\cos(\\alpha + \\beta) = \\cos \\alpha \\cos \\beta + \\sin \\alpha \\sin \\beta",
+          "\\sin(\\alpha + \\pi) = \\sin \\alpha", "\\cos \\alpha > -1", "\\sin \\alpha < 1",
+          "\\cos \\frac{5\\pi}{12} > \\frac13", "\\cos(-\\alpha) = -\\cos \\alpha"}},
+        {{"\\alpha \\in \\mathbb{R}", "\\beta = \\frac{\\alpha}{2}"},
+         {"2 \\cos^2 \\beta = 1 + \\cos \\alpha", "\\sin \\alpha = 2 \\sin \\beta \\cos \\beta"},
+         {"2 \\cos^2 \\beta = 1 - \\cos \\alpha", "\\sin \\alpha = \\sin \\beta \\cos \\beta"}},
+    };
+    int seen[2] = {0};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (int m = 0; m < 16; m++) {
+            const char *text = m < 8 ? list[k].holds[m] : list[k].fails[m - 8];
+            if (text == NULL)
+                continue;
+            cagd_finding found;
+            let(list[k].lines);
+            const cagd_tree *t = statement_of(text);
+            if (t == NULL)
+                fail_msg("%s is not read", text);
+            cagd_check(&scope, t, 20, &found);
+            if (found.answer != (m < 8 ? CAGD_HOLDS : CAGD_FAILS))
+                fail_msg("%s, %s: answer %d, %s", list[k].lines[1] != NULL ? list[k].lines[1] : "", text,
+                         (int)found.answer, found.why != NULL ? found.why : "");
+            seen[m < 8]++;
+            region_faults = 0;
+            field_close();
+        }
+    assert_true(seen[0] > 100 && seen[1] > 100);
+}
+
 static int cases_taken;
 static int take(void *data, const char *inputs, const char *nodes, const char *steps)
 {
@@ -313,6 +471,7 @@ int main(void)
                                        unit(lists_of_implications),
                                        unit(ranges_have_the_numbers_they_say),
                                        unit(what_is_false_near_a_point),
+                                       unit(every_part_counts),
                                        unit(what_is_certified_stands_for_itself),
                                        unit(dots_in_chains),
                                        unit(powers_of_many_bases),
