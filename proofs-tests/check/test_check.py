@@ -888,8 +888,14 @@ M(t) = \begin{cases} t - x & t \ge x \\ 0 & t < x \end{cases}
             with self.subTest(ranges=ranges):
                 r = check(document("p_q(x) \\ge 0", ranges, let), "--json")
                 self.assertEqual(json.loads(r.stdout)["statements"][0]["verdict"] if r.returncode != 2 else None, expected)
-        for letter in ("i", "j", "n", "\\ell"): # indices by their letter
+        for letter in ("i", "j", "k", "l", "m", "n", "r", "\\ell", "I", "J", "K", "L", "M", "N", "R"): # indices by their letter
             self.assertEqual(verdict(f"p_{letter}(x) \\ge 0", f"0 \\le {letter} \\le 1", f"p_{letter}(x) = x^2 + {letter}({letter}-1)\n")["verdict"], "holds", letter)
+        for letter in ("p", "s", "d", "e", "P", "Q", "S", "D"): # often whole numbers, and often not
+            for ranges in (f"0 < {letter} < 3", f"0 \\le {letter} < 3", f"0 < {letter} \\le 2", f"0 \\le {letter} \\le 2"):
+                self.assertIn(f"the index {letter} has bounds and may be a whole number", check(document(f"c_{letter}(x) \\ge 0", ranges, f"c_{letter}(x) = x^2 + {letter}({letter}-1)\n")).stderr)
+        for letter in ("\\beta", "a", "w"):
+            for ranges in (f"0 < {letter} < 3", f"0 \\le {letter} < 3", f"0 < {letter} \\le 2"):
+                self.assertEqual(verdict(f"c_{letter}(x) \\ge 0", ranges, f"c_{letter}(x) = x^2 + {letter}({letter}-1)\n")["verdict"], "fails")
         r = check(":::{let}\n0 \\le \\lambda \\le 1\nT_{\\lambda} = \\lambda\n:::\n:::{statement} s\n:printed: T_{\\lambda} \\ge 1/2\n:find: \\lambda\n:::\n")
         self.assertIn("It holds for 1/2 ≤ λ ≤ 1", r.stdout)
 
@@ -1735,6 +1741,28 @@ class Certificates(unittest.TestCase):
             self.assertEqual(code, 0, out)
             self.refuse_all(pathlib.Path(folder), -1, changes)
 
+    def test_what_a_certificate_says(self):
+        """Its kind, what came out, the evidence, and for what it is said; names are those of files, and all different."""
+        statements = (("a b", "(x+y)^2 = x^2 + 2 x y + y^2", "n = 1", "", ("a-b", "identity", "holds", "proved", "(x+y)^2 = x^2 + 2 x y + y^2 for all $x$, all $y$")),
+                      ("a-b", "x^2 + 1 \\ge 0", "n = 1", "", ("a-b-2", "decision", "holds", "decided", "x^2 + 1 \\ge 0 for all $x$")),
+                      (".c:d", "x + 1 = y + 2", "n = 1", "", ("-c-d", "counterexample", "fails", "decided", "x + 1 = y + 2; fails for x = 0, y = 0")),
+                      ("e.f_g", "x + t \\ge 0", "0 \\le t \\le 1", ":find: x\n", ("e.f_g", "decision", "holds", "decided", "x + t \\ge 0 holds for $x \\ge 0$, and for no other")))
+        lets = document("x = x").partition(":::{statement}")[0]
+        for count in (1, len(statements)):
+            with tempfile.TemporaryDirectory() as folder:
+                text = lets + "".join(f":::{{statement}} {name}\n:printed: {printed}\n{find}:for: {ranges}\n:::\n" for name, printed, ranges, find, _ in statements[:count])
+                self.assertIn(f"Certificates of {count} of {count} statement{'s' if count > 1 else ''} in {folder}\n", check(text, "--certificates", folder).stdout)
+                manifest = json.loads((pathlib.Path(folder) / "manifest.json").read_text())
+                kinds = {claim["claim"]: claim["kind"] for claim in manifest["claims"]}
+                printed_of = {one["statement"]: (one["printed"], one["links"][0]["role"]) for one in manifest["statements"]}
+                self.assertEqual(self.recheck(folder)[0], 0)
+                self.assertEqual(len(kinds), count)
+                for *_, (name, kind, outcome, evidence, printed) in statements[:count]:
+                    with self.subTest(name=name, count=count):
+                        claim = json.loads((pathlib.Path(folder) / "claims" / f"{name}.json").read_text())
+                        self.assertEqual((kinds[name], claim["kind"], claim["outcome"], claim["evidence"]), (kind, kind, outcome, evidence))
+                        self.assertEqual(printed_of[f"check:{name}"], (printed, "refuted-by" if outcome == "fails" else "holds-by"))
+
     def test_what_is_not_noted_has_none(self):
         for printed, ranges in (("x^2 - x y + y^2 \\ge 0", "n = 1, 0 \\le x \\le 1, 0 \\le y \\le 1"), ("(\\frac{d}{dt} F(t))^2 \\ge 0", "n = 1"), ("F'(t) = \\frac{d}{dt} F(t)", "n = 1"), ("|x| |x| = x^2", "n = 1"),
                                 ("x > 0 \\Rightarrow x = x", "n = 1"), ("x + 1 = y + 1", "x - y = 0")):
@@ -2415,6 +2443,11 @@ class Pictures(unittest.TestCase):
         words = ["".join(t.itertext()) for t in picture.iter("{http://www.w3.org/2000/svg}text")]
         self.assertEqual([w for w in words if "fails at" in w], ["s0, n = 2: fails at t = 0", "s2, x = 1: fails at y = 1", "s4: fails at x = 0"])
         self.assertEqual(words.count("left side"), 1)
+
+    def test_twelve_are_drawn_at_most(self):
+        r, picture = self.draw(*((f"x \\ge {k}", "n = 1") for k in range(1, 15)))
+        words = ["".join(t.itertext()) for t in picture.iter("{http://www.w3.org/2000/svg}text")]
+        self.assertEqual([w for w in words if "fails at" in w], [f"s{k}: fails at x = 0" for k in range(12)])
 
     def test_without_one_there_is_no_picture(self):
         for printed, ranges in (("x = x", "n = 1"), ("n = 2", "n = 1..3")):

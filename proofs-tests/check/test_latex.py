@@ -255,6 +255,24 @@ class Reading(unittest.TestCase):
         self.assertEqual(json.loads(check(text, "--json").stdout)["without_label"], 2)
         self.assertNotIn("Not read", check(source("\\begin{equation}\\label{a} x = x \\end{equation}")).stdout)
 
+    def test_one_formula_without_a_label_is_one(self):
+        text = source("\\begin{equation}\\label{a} x = x \\end{equation}\n\\[ 1 = 2 \\]")
+        self.assertIn("Not read, for they have no label: 1 displayed formula\n", check(text).stdout)
+        text = source("".join(f"\\begin{{equation}}\\label{{{name}}} \\Psi = x \\end{{equation}}" for name in "ab") + "\\begin{equation}\\label{c} x = x \\end{equation}")
+        self.assertIn("Left out, for they could not be read: 2 labelled formulas\n", check(text).stdout)
+
+    def test_a_word_of_a_comment_is_a_whole_word(self):
+        """format, finds and skipped are none of the words that comments begin with, though for, find and skip are; a colon may stand behind each."""
+        for word in ("format n = 1", "finds x", "skipped", "expectedly holds", "secondsx 3", "statements a", "definitions", "titled", "sources", "withouts", "letter x"):
+            with self.subTest(word=word):
+                r = check(source(f"\\[ x = x % cagd: {word}\n\\]"))
+                self.assertEqual((r.returncode, r.stdout), (2, ""))
+                self.assertIn("expected let, definition", r.stderr)
+        for colon in ("", ":"):
+            text = source(f"\\[ n x = x n % cagd: statement{colon} a\n% cagd: for{colon} n = 1..2\n% cagd: for{colon} m = 1..2\n% cagd: expected{colon} holds\n% cagd: seconds{colon} 5\n% cagd: title{colon} one\n% cagd: source{colon} two\n\\]")
+            s = statements(text)
+            self.assertEqual([(x["name"], x["verdict"], x["cases"], x["expected"]) for x in s], [("a", "holds", 2, "holds")])
+
     def test_what_is_switched_off_is_not_there(self):
         found = verdicts(source("\\newcommand{\\k}{2}\\iffalse\\renewcommand{\\k}{3}\\ifx a b \\fi \\begin{equation}\\label{z} 1 = 2 \\end{equation}\\fi\n\\begin{equation}\\label{a} \\k = 2 \\end{equation}"))
         self.assertEqual(found, {"a": "holds"})
@@ -388,6 +406,22 @@ class FromPaper(unittest.TestCase):
         r = self.run_beside(":::{let}\n:from: paper.tex eq:g\nx \\in \\mathbb{R}\n:::\n:::{statement} s\n:from: paper.tex eq:a\n:::\n", self.PAPER)
         s = json.loads(r.stdout)["statements"]
         self.assertEqual((r.returncode, s[0]["verdict"], s[0]["printed_tex"], s[0]["line"]), (0, "holds", "G(x) = 3 x", 5))
+
+    def test_papers_of_either_name_and_place(self):
+        """NAME.ltx is a source, too; a path from the root is no path beside the document; of the labels that there are the first three are named, wherever they stand."""
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as other:
+            paper = source("\\begin{equation}\\label{a} x + x = 2 x \\end{equation}")
+            (pathlib.Path(folder) / "paper.ltx").write_text(paper)
+            r = subprocess.run([CAGD, "check", "--json", pathlib.Path(folder) / "paper.ltx"], capture_output=True, text=True, timeout=60)
+            self.assertEqual([(s["name"], s["verdict"]) for s in json.loads(r.stdout)["statements"]], [("a", "holds")])
+            (pathlib.Path(other) / "paper.tex").write_text("\\[ 1 = 1 \\]" * 4 + "".join(f"\\begin{{equation}}\\label{{l{k}}} 1 + {k} = {k} + 1 \\end{{equation}}" for k in range(4)))
+            for label, expected in (("l0", "holds"), ("l3", "holds"), ("l4", None)):
+                (pathlib.Path(folder) / "notes.md").write_text(f":::{{statement}} s\n:from: {other}/paper.tex {label}\n:::\n:::{{statement}} t\n:from: {other}/paper.tex l1\n:::\n")
+                r = subprocess.run([CAGD, "check", "--json", pathlib.Path(folder) / "notes.md"], capture_output=True, text=True, timeout=60)
+                if expected is not None:
+                    self.assertEqual([s["verdict"] for s in json.loads(r.stdout)["statements"]], [expected] * 2)
+                else:
+                    self.assertIn("it has l0, l1, l2\n", r.stderr)
 
     def test_mistakes_are_named_in_the_paper(self):
         let = ":::{let}\n:from: paper.tex eq:g\nx \\in \\mathbb{R}\n:::\n"
