@@ -927,6 +927,87 @@ static void the_weakest_of_several_bounds(void **state)
             }
 }
 
+/* Points near each of three spans, in the plane and in space, with weights: one foot that is not the nearest is told of, whichever it is, and one
+ * that is farther by less than what is allowed has that excess. */
+static void the_nearest_points_of_several_spans(void **state)
+{
+    (void)state;
+    for (int dim = 2; dim <= 3; dim++) {
+        spline(dim, CAGD_FIT_SQUARES);
+        for (int i = 0; i < data.count; i++) { /* near the curve, where no other span is as near */
+            double d[6];
+            int at_end;
+            cagd_spline_derivatives(&curve, (i + 0.5) / data.count, CAGD_RIGHT, 1, d);
+            for (int c = 0; c < dim; c++)
+                points[i * dim + c] = d[c] + random_int(-99, 99) / 99999.0;
+            feet[i] = foot_of(points + i * dim, (i + 0.5) / data.count, &at_end);
+        }
+        cagd_nearest_verdict v = cagd_stationary_nearest(&data, &curve, feet);
+        assert_true(v.verified && v.where == -1);
+        for (int i = 0; i < data.count; i++) {
+            double kept = feet[i];
+            feet[i] = feet[(i + 13) % data.count];
+            v = cagd_stationary_nearest(&data, &curve, feet);
+            assert_true(v.refuted && !v.verified && v.where == i);
+            feet[i] = kept;
+        }
+    }
+    /* A segment of length 2^20 along one axis, beside which a point is at the distance 3: with a foot by 2^-13 away from its own it is farther by
+     * 2^-26/6 or so, which is less than 2^-44 of the length. */
+    static const double line[] = {0, 0, 1, 1};
+    for (int dim = 2; dim <= 3; dim++)
+        for (int along = 0; along < dim; along++)
+            for (int off = 0; off < 3; off++) {
+                memcpy(knots, line, sizeof line);
+                memset(control, 0, sizeof control), memset(points, 0, sizeof points);
+                control[dim + along] = 0x1p20;
+                curve = (cagd_spline){1, 2, dim, knots, control, NULL};
+                data = (cagd_fit_data){3, dim, points, NULL};
+                for (int i = 0; i < 3; i++) {
+                    feet[i] = (i + 1) / 4.0;
+                    points[i * dim + along] = feet[i] * 0x1p20;
+                    points[i * dim + (along + 1) % dim] = 3;
+                }
+                feet[off] += 0x1p-33;
+                cagd_nearest_verdict v = cagd_stationary_nearest(&data, &curve, feet);
+                assert_true(v.verified && v.excess >= 0x1p-26 / 6 * (1 - 0x1p-20) && v.excess <= 0x1p-24);
+                feet[off] += 0x1p-28;
+                v = cagd_stationary_nearest(&data, &curve, feet);
+                assert_true(v.refuted && v.where == off);
+            }
+}
+
+/* A box in which the loss of Huber is bent has the derivatives of either side: those of squares, and those of the loss where it grows as the
+ * distance. */
+static void where_the_loss_of_Huber_is_bent(void **state)
+{
+    (void)state;
+    static const double none[3] = {0}, box[3] = {0x1p-12, 0x1p-12, 0x1p-12};
+    double g[2][3], H[2][9], one_g[2][3], one_H[2][9];
+    int where;
+    circle(0);
+    data.count = 1;
+    points[0] = 1.0625 * 33, points[1] = 1.0625 * 56, feet[0] = 56 / 98.0; /* at the distance 65/16 */
+    problem.loss = CAGD_FIT_HUBER, problem.loss_scale = 65 / 16.0;
+    assert_true(cagd_stationary_enclosures(&problem, box, g[0], g[1], H[0], H[1], &where));
+    for (int side = 0; side < 2; side++) {
+        problem.loss_scale = 65 / 16.0 + (side ? 0x1p-20 : -0x1p-20);
+        assert_true(cagd_stationary_enclosures(&problem, none, one_g[0], one_g[1], one_H[0], one_H[1], &where));
+        for (int m = 0; m < 9; m++)
+            assert_true(H[0][m] <= one_H[0][m] + 0x1p-10 && one_H[1][m] - 0x1p-10 <= H[1][m]);
+        for (int a = 0; a < 3; a++)
+            assert_true(g[0][a] <= one_g[0][a] + 0x1p-10 && one_g[1][a] - 0x1p-10 <= g[1][a]);
+        problem.loss = CAGD_FIT_SQUARES;
+        if (side == 1) /* there it is that of squares */
+            for (int m = 0; m < 9; m++) {
+                double low[3], high[3], H_low[9], H_high[9];
+                assert_true(cagd_stationary_enclosures(&problem, none, low, high, H_low, H_high, &where));
+                assert_true(fabs(H_low[m] - one_H[0][m]) < 0x1p-30);
+            }
+        problem.loss = CAGD_FIT_HUBER;
+    }
+}
+
 static void many_points_take_seconds(void **state)
 {
     (void)state;
@@ -1090,6 +1171,9 @@ int main(void)
         cmocka_unit_test(what_a_bound_forbids_alone),
         cmocka_unit_test(what_a_bound_forbids_beside_free_points),
         cmocka_unit_test(several_bounds_at_once),
+        cmocka_unit_test(the_nearest_points_of_several_spans),
+        cmocka_unit_test(where_the_loss_of_Huber_is_bent),
+
         cmocka_unit_test(a_fit_without_some_points_at_its_ends),
         cmocka_unit_test(what_a_fit_was_asked_for),
         cmocka_unit_test(closed_curves_are_checked),

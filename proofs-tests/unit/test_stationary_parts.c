@@ -116,6 +116,37 @@ static void the_centre_moves_no_farther_than_is_told(void **state)
     }
 }
 
+/* What is added to the points of the curve belongs to the centre: derivatives are those of the curve that was moved there. */
+static void the_rest_belongs_to_the_centre(void **state)
+{
+    (void)state;
+    enum { UNKNOWNS = 3 };
+    static const double knot[] = {0, 0, 0, 1, 1, 1}, points[] = {0, 0, 4, 7, 8, 0},
+                        rest[] = {0.25, 0, -0.5, 0.125, 0, 1}, measured[] = {1.75, 3, 3.75, 4.25, 6, 3.5},
+                        feet[] = {0.25, 0.5, 0.75}, none[UNKNOWNS] = {0};
+    double moved[6];
+    for (int m = 0; m < 6; m++)
+        moved[m] = points[m] + rest[m];
+    const cagd_fit_unknown unknown[UNKNOWNS] = {{1, 1, 0}, {0, 1, 0}, {0, 2, 1}};
+    const cagd_fit_data data = {3, 2, measured, NULL};
+    const cagd_spline curve[2] = {{2, 3, 2, knot, points, NULL}, {2, 3, 2, knot, moved, NULL}};
+    struct box b[2];
+    for (int k = 0; k < 2; k++) {
+        const cagd_stationary_problem problem = {
+            .data = &data, .loss_scale = 1, .curve = &curve[k], .feet = feet, .unknowns = UNKNOWNS, .unknown = unknown};
+        assert_true(cagd_stationary_box_new(&b[k], &problem));
+        b[k].rest = k == 0 ? rest : NULL;
+        assert_true(cagd_stationary_enclose(&b[k], none, 1));
+    }
+    for (int a = 0; a < UNKNOWNS; a++) {
+        assert_true(mpfr_equal_p(b[0].gradient[a].lo, b[1].gradient[a].lo) &&
+                    mpfr_equal_p(b[0].gradient[a].hi, b[1].gradient[a].hi));
+        assert_true(fabs(mpfr_get_d(b[0].gradient[a].lo, MPFR_RNDN)) > 0x1p-10);
+    }
+    for (int k = 0; k < 2; k++)
+        cagd_stationary_box_free(&b[k]);
+}
+
 static void the_nearer_bound(void **state)
 {
     (void)state;
@@ -287,6 +318,7 @@ int main(void)
                                        unit(the_size_of_points),
                                        unit(ways_are_added_upward),
                                        unit(the_nearer_bound),
+                                       unit(the_rest_belongs_to_the_centre),
                                        unit(the_centre_moves_no_farther_than_is_told)};
     return run_unit_tests(tests);
 }

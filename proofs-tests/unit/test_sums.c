@@ -281,7 +281,11 @@ static void test_sums_from_a_number_on(void **state)
     F = cagd_term_times_rational(binomials(1), n, k, div_f(one, sub_f(n, whole(2))));
     s = (cagd_sum){F, one, div_f(mul_f(whole(2), sub_f(n, whole(2))), sub_f(n, one)), whole(8), 3, 0, 1, 0};
     assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
-    s.from = 1;
+    s.start = whole(9); /* for n = 3 it is 8 */
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
+    s.start = whole(8), s.first = whole(2);
+    assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_REFUTED);
+    s.first = one, s.from = 1;
     assert_int_not_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
     region_faults = 0;
     field_close();
@@ -458,6 +462,106 @@ static void test_what_may_vanish(void **state)
     field_close();
 }
 
+/* (e+2)!^2 and its inverse over e!^2, and so on: steps of every size with powers of every size, by the product itself. */
+static void test_powers_of_factorials(void **state)
+{
+    (void)state;
+    open_field();
+    for (int p = -3; p <= 3; p++)
+        for (int q = -3; q <= 3; q++)
+            for (int power = -3; power <= 3; power++) {
+                region_mark mark = region_open();
+                cagd_term F = cagd_term_times_factorial(cagd_term_one(), n, k, p, q, whole(5), power);
+                for (int by_n = 0; by_n < 2; by_n++) {
+                    const int step = by_n ? p : q;
+                    num_f e = plus(add_f(mul_f(whole(p), n), mul_f(whole(q), k)), 5), ratio = whole(1);
+                    for (int i = 1; i <= step; i++) /* (e+1) ... (e+step) */
+                        ratio = mul_f(ratio, plus(e, i));
+                    for (int i = step + 1; i <= 0; i++) /* 1/((e+step+1) ... e) */
+                        ratio = div_f(ratio, plus(e, i));
+                    num_f all = whole(1);
+                    for (int i = 0; i < (power < 0 ? -power : power); i++)
+                        all = power < 0 ? div_f(all, ratio) : mul_f(all, ratio);
+                    assert_true(cagd_equal_f(by_n ? F.by_n : F.by_k, all));
+                }
+                F = cagd_term_times_power(cagd_term_one(), t, p, q);
+                num_f by_n = whole(1);
+                for (int i = 0; i < (p < 0 ? -p : p); i++)
+                    by_n = p < 0 ? div_f(by_n, t) : mul_f(by_n, t);
+                assert_true(cagd_equal_f(F.by_n, by_n));
+                region_drop(mark);
+            }
+    field_close();
+}
+
+/* k^2 + 2k + 2 and k^2 + 2 have roots whose sums differ by 2, and are no shifts of each other. */
+static void test_quadratics_that_are_no_shifts(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_telescoper T;
+    num_f a = quadratic(2, 2, 1), b = quadratic(3, -2, 1), next = quadratic(2, 0, 1); /* next(k) = b(k+1) */
+    num_f c = sub_f(mul_f(a, plus(k, 1)), mul_f(b, k));
+    cagd_term F = cagd_term_times_rational(cagd_term_one(), n, k, c);
+    F.by_k = mul_f(F.by_k, div_f(a, next));
+    assert_true(cagd_telescope(F, n, k, 0, &T));
+    assert_true(cagd_telescoper_holds(F, n, k, &T));
+    field_close();
+}
+
+/* Which polynomials are 0 somewhere for whole n >= k >= 0, n >= from, whichever of the variables stands first in the field. */
+static void test_where_polynomials_vanish(void **state)
+{
+    (void)state;
+    for (int order = 0; order < 2; order++) {
+        field_open(8);
+        if (order == 0)
+            n = variable_f("n"), k = variable_f("k");
+        else
+            k = variable_f("k"), n = variable_f("n");
+        t = variable_f("t");
+        num_f s = variable_f("s");
+        for (int from = 0; from <= 4; from++)
+            for (int m = -2; m <= 6; m++) { /* k - m, n - m, n - k + m: 0 for k = m, n = m, and k = n + m */
+                num_f of_k = plus(k, -m), of_n = plus(n, -m), between = plus(sub_f(n, k), m);
+                for (int sign = 1; sign >= -1; sign -= 2) {
+                    assert_int_equal(cagd_is_never_zero(mul_f(whole(sign), of_k), n, k, from), m < 0);
+                    assert_int_equal(cagd_is_never_zero(mul_f(whole(sign), of_n), n, k, from), m < from);
+                    assert_int_equal(cagd_is_never_zero(mul_f(whole(sign), between), n, k, from), m > 0);
+                }
+                /* as functions of t: one coefficient that is never 0 is enough, whichever it is */
+                num_f never = plus(k, 1), square = mul_f(t, t);
+                assert_true(cagd_is_never_zero(add_f(mul_f(t, of_k), never), n, k, from));
+                assert_true(cagd_is_never_zero(add_f(of_k, mul_f(t, never)), n, k, from));
+                assert_true(cagd_is_never_zero(add_f(of_k, mul_f(square, never)), n, k, from));
+                assert_true(cagd_is_never_zero(add_f(add_f(of_k, mul_f(square, of_n)), mul_f(t, never)), n, k, from));
+                assert_true(cagd_is_never_zero(add_f(of_k, mul_f(s, never)), n, k, from));
+                assert_int_equal(cagd_is_never_zero(add_f(of_k, mul_f(t, plus(k, -m))), n, k, from), m < 0);
+                assert_int_equal(cagd_is_never_zero(mul_f(never, of_n), n, k, from), m < from);
+            }
+        field_close();
+    }
+    open_field();
+    field_close();
+}
+
+/* sum over k = 0, ..., N of (N choose k) (2N - 2 - k) = 2^(N-1) (3N - 4) for N = 2n + 1: from n = 1, N = 3 on no term is 0, while for N = 2 the one
+ * with k = 2 would be. */
+static void test_the_first_last_term(void **state)
+{
+    (void)state;
+    open_field();
+    cagd_telescoper T;
+    cagd_term F = cagd_term_times_binomial(cagd_term_one(), n, k, 2, 0, whole(1), 0, 1, whole(0));
+    F = cagd_term_times_rational(F, n, k, sub_f(mul_f(whole(4), n), k));
+    num_f six = mul_f(whole(6), n);
+    for (int generic = 0; generic < 2; generic++) {
+        cagd_sum s = {F, whole(4), div_f(mul_f(whole(4), plus(six, 5)), plus(six, -1)), whole(20), 1, generic, 2, 1};
+        assert_int_equal(cagd_sum_for_every_n(&s, n, k, 3, &T), CAGD_SUM_PROVED);
+    }
+    field_close();
+}
+
 /* To 2n, and to 2n + 1; a divisor that is 0 for k = 31, or for no whole n. */
 static void test_sums_to_multiples_of_n(void **state)
 {
@@ -523,8 +627,12 @@ int main(void)
                                        unit(test_a_step_in_n_that_is_not_defined),
                                        unit(test_a_term_that_begins_before_its_row),
                                        unit(test_what_may_vanish),
+                                       unit(test_powers_of_factorials),
+                                       unit(test_quadratics_that_are_no_shifts),
+                                       unit(test_where_polynomials_vanish),
                                        unit(test_the_last_of_the_first_rows),
                                        unit(test_sums_to_multiples_of_n),
-                                       unit(test_a_last_term_that_is_not_said)};
+unit(test_a_last_term_that_is_not_said),
+                                       unit(test_the_first_last_term)};
     return run_unit_tests(tests);
 }
