@@ -300,6 +300,242 @@ static void what_is_too_much_is_not_known(void **state)
     assert_int_equal(ask(50, c, c[50].p, CAGD_IS_POSITIVE, 1), CAGD_IMPLICATION_NOT_KNOWN);
 }
 
+/* Conditions that are numbers: a false one implies everything, a true one nothing; a claim that is a number is what it is wherever there is a
+ * point. */
+static void numbers_are_conditions(void **state)
+{
+    (void)state;
+    open_field();
+    static const unsigned signs[] = {CAGD_IS_NEGATIVE, CAGD_IS_ZERO, CAGD_IS_POSITIVE};
+    for (int c = -1; c <= 1; c++)
+        for (int s = 0; s < 3; s++) {
+            const int is_true = s == c + 1;
+            for (int after = 0; after < 2; after++) {
+                cagd_sign_condition given[2];
+                given[after] = (cagd_sign_condition){whole(7 * c), signs[s]};
+                given[!after] = (cagd_sign_condition){X, CAGD_IS_POSITIVE};
+                assert_int_equal(ask(2, given, X, CAGD_IS_NEGATIVE, 1), is_true ? CAGD_NOT_IMPLIED : CAGD_IMPLIED);
+                assert_int_equal(ask(2, given, X, CAGD_IS_POSITIVE, 2), CAGD_IMPLIED);
+            }
+            cagd_sign_condition some = {sub_f(X, Y), CAGD_IS_ZERO},
+                                none = {add_f(square(X), whole(1)), CAGD_IS_ZERO | CAGD_IS_NEGATIVE};
+            for (int variables = 1; variables <= 3; variables++) {
+                assert_int_equal(ask(0, NULL, whole(7 * c), signs[s], variables),
+                                 is_true ? CAGD_IMPLIED : CAGD_NOT_IMPLIED);
+                assert_int_equal(ask(1, &none, whole(7 * c), signs[s], variables), CAGD_IMPLIED);
+                if (variables > 1)
+                    assert_int_equal(ask(1, &some, whole(7 * c), signs[s], variables),
+                                     is_true ? CAGD_IMPLIED : CAGD_NOT_IMPLIED);
+            }
+        }
+}
+
+/* Each root of several, and each interval between them, may be the only counterexample. */
+static void every_root_and_every_interval_is_looked_at(void **state)
+{
+    (void)state;
+    open_field();
+    enum { ROOTS = 4 };
+    static const int root[ROOTS] = {-2, 1, 2, 5};
+    num_f p = whole(1), x[] = {X};
+    for (int k = 0; k < ROOTS; k++)
+        p = mul_f(p, sub_f(X, whole(root[k])));
+    cagd_algebraic_point at;
+    for (int k = 0; k < ROOTS; k++) {
+        cagd_sign_condition given = {p, CAGD_IS_ZERO},
+                            claim = {sub_f(X, whole(root[k])), CAGD_IS_NEGATIVE | CAGD_IS_POSITIVE};
+        assert_int_equal(cagd_implies(1, &given, claim, 1, x, cagd_seconds() + SURE, &at), CAGD_NOT_IMPLIED);
+        struct cagd_root r = cagd_algebraic_coordinate(&at, 0);
+        assert_true(cagd_equal_q(r.lo, from_int_q(root[k])) && cagd_equal_q(r.hi, r.lo) && r.multiplicity == 1);
+        assert_true(cagd_poly_equal(r.factor, poly_from_q(2, (num_q[]){from_int_q(-root[k]), from_int_q(1)})));
+        /* and the square roots of -1 + root[k]^2 */
+        cagd_sign_condition two[] = {given, {sub_f(square(Y), whole((long)root[k] * root[k] + 1)), CAGD_IS_ZERO}};
+        for (unsigned side = CAGD_IS_NEGATIVE; side <= CAGD_IS_POSITIVE; side += 3)
+            assert_int_equal(ask(2, two, Y, side, 2), CAGD_NOT_IMPLIED);
+        assert_int_equal(ask(2, two, Y, CAGD_IS_NEGATIVE | CAGD_IS_POSITIVE, 2), CAGD_IMPLIED);
+    }
+    for (int k = 0; k <= ROOTS; k++) {
+        cagd_sign_condition given[] = {{k > 0 ? sub_f(X, whole(root[k - 1])) : whole(1), CAGD_IS_POSITIVE},
+                                       {k < ROOTS ? sub_f(X, whole(root[k])) : whole(-1), CAGD_IS_NEGATIVE}};
+        const unsigned is = (ROOTS - k) % 2 ? CAGD_IS_NEGATIVE : CAGD_IS_POSITIVE;
+        assert_int_equal(ask(2, given, p, is, 1), CAGD_IMPLIED);
+        assert_int_equal(ask(2, given, p, CAGD_IS_ZERO, 1), CAGD_NOT_IMPLIED);
+    }
+}
+
+/* Four lines: every two of them meet in a point at which the others are not. */
+static void every_two_polynomials_are_projected(void **state)
+{
+    (void)state;
+    open_field();
+    enum { LINES = 4 };
+    static const int a[LINES] = {1, -1, 3, 0}, b[LINES] = {0, 2, -4, -5}; /* y = a x + b */
+    for (int i = 0; i < LINES; i++)
+        for (int j = 0; j < i; j++)
+            for (int turn = 0; turn < LINES; turn++) {
+                cagd_sign_condition given[LINES];
+                for (int k = 0; k < LINES; k++) {
+                    num_f line = sub_f(Y, add_f(mul_f(whole(a[k]), X), whole(b[k])));
+                    given[(k + turn) % LINES] = (cagd_sign_condition){
+                        line, k == i || k == j ? CAGD_IS_ZERO : CAGD_IS_NEGATIVE | CAGD_IS_POSITIVE};
+                }
+                num_f there = sub_f(mul_f(whole(a[i] - a[j]), X), whole(b[j] - b[i]));
+                assert_int_equal(ask(LINES, given, there, CAGD_IS_ZERO, 2), CAGD_IMPLIED);
+                assert_int_equal(ask(LINES, given, there, CAGD_IS_NEGATIVE | CAGD_IS_POSITIVE, 2), CAGD_NOT_IMPLIED);
+            }
+}
+
+/* xz - y is 0 for all z where x = y = 0; y = 0 follows from no other polynomial.  Beside it another polynomial is 0 nowhere, before or
+ * behind it.  With w the place is a line and no point, or z is not the last variable: then nothing is known of what is implied. */
+static void what_vanishes_over_a_point_or_a_line(void **state)
+{
+    (void)state;
+    open_field();
+    num_f W = variable_f("w"), vanishes = sub_f(mul_f(X, Z), Y), other = sub_f(add_f(X, Z), whole(1)),
+          positive = add_f(square(Z), whole(1));
+    for (int turn = 0; turn < 2; turn++) {
+        cagd_sign_condition c[4] = {{X, CAGD_IS_ZERO}};
+        c[1 + turn] = (cagd_sign_condition){vanishes, CAGD_IS_ZERO};
+        c[2 - turn] = (cagd_sign_condition){other, CAGD_IS_NEGATIVE};
+        assert_int_equal(ask(3, c, Y, CAGD_IS_ZERO, 3), CAGD_IMPLIED);
+        assert_int_equal(ask(3, c, positive, CAGD_IS_POSITIVE, 3), CAGD_IMPLIED);
+        assert_int_equal(ask(3, c, add_f(Z, whole(1)), CAGD_IS_NEGATIVE, 3), CAGD_NOT_IMPLIED);
+        assert_int_equal(ask(3, c, sub_f(Z, whole(1)), CAGD_IS_NEGATIVE, 3), CAGD_IMPLIED);
+        cagd_algebraic_point at;
+        for (int place = 0; place < 4; place++) {
+            num_f x[4] = {X, Y, Z};
+            for (int k = 3; k > place; k--)
+                x[k] = x[k - 1];
+            x[place] = W;
+            c[3] = (cagd_sign_condition){sub_f(W, whole(1)), CAGD_IS_POSITIVE};
+            enum cagd_implication answer = cagd_implies(
+                4, c, (cagd_sign_condition){sub_f(Z, whole(1)), CAGD_IS_NEGATIVE}, 4, x, cagd_seconds() + SURE, &at);
+            assert_int_equal(answer, CAGD_IMPLICATION_NOT_KNOWN);
+            answer = cagd_implies(4, c, (cagd_sign_condition){W, CAGD_IS_NEGATIVE}, 4, x, cagd_seconds() + SURE, &at);
+            assert_int_equal(answer, CAGD_NOT_IMPLIED);
+        }
+    }
+}
+
+/* Minimal polynomials have the leading coefficient 1, and coordinates are the numbers that they are however they are written. */
+static void minimal_polynomials_are_monic(void **state)
+{
+    (void)state;
+    open_field();
+    num_f x[] = {X, Y, Z};
+    static const int of[][2] = {{2, 1}, {3, 2}, {12, 7}, {1, 1000}};
+    for (int n = 2; n <= 3; n++)
+        for (size_t k = 0; k < sizeof of / sizeof *of; k++) { /* of[0] x^n = of[1] */
+            cagd_algebraic_point a = with_greatest_root(cagd_algebraic_origin(),
+                                                        sub_f(mul_f(whole(of[k][0]), power(X, n)), whole(of[k][1])));
+            int degree = cagd_poly_degree(a.theta.factor);
+            assert_int_equal(degree, n == 3 && of[k][1] == 1000 ? 1 : n);
+            assert_true(cagd_equal_q(poly_coefficient(a.theta.factor, degree), from_int_q(1)));
+            num_f p = sub_f(mul_f(whole(3), square(Y)), add_f(X, whole(1)));
+            a = with_greatest_root(a, p);
+            assert_int_equal(region_faults, 0);
+            degree = cagd_poly_degree(a.theta.factor);
+            assert_true(cagd_equal_q(poly_coefficient(a.theta.factor, degree), from_int_q(1)));
+            assert_int_equal(cagd_algebraic_sign(&a, cagd_algebraic_value(&a, p, x)), 0);
+            double first = pow(of[k][1] / (double)of[k][0], 1.0 / n), value[] = {first, sqrt((first + 1) / 3)};
+            for (int c = 0; c < 2; c++) {
+                struct cagd_root r = cagd_refine_root(cagd_algebraic_coordinate(&a, c), from_ratio_q(1, 1000000000));
+                assert_true(fabs(cagd_to_double_q(r.lo) - value[c]) < 1e-8);
+                degree = cagd_poly_degree(r.factor);
+                assert_true(cagd_equal_q(poly_coefficient(r.factor, degree), from_int_q(1)));
+            }
+        }
+    /* a root that no bisection meets, 1/3 of (3x - 1)(x^2 - 2), and -1/3 */
+    for (int sign = -1; sign <= 1; sign += 2) {
+        cagd_algebraic_point origin = cagd_algebraic_origin();
+        num_f p = mul_f(sub_f(mul_f(whole(3), X), whole(sign)), sub_f(square(X), whole(2)));
+        cagd_over_k over = cagd_algebraic_polynomial(&origin, p, x);
+        cagd_root_over_k root[4];
+        assert_int_equal(cagd_roots_over_k(&origin, 1, &over, 4, root), 3);
+        cagd_algebraic_point a = cagd_algebraic_with_root(&origin, &root[1], X);
+        struct cagd_root r = cagd_algebraic_coordinate(&a, 0);
+        assert_true(cagd_equal_q(r.lo, from_ratio_q(sign, 3)) && cagd_equal_q(r.hi, r.lo));
+        assert_true(cagd_poly_equal(r.factor, poly_from_q(2, (num_q[]){from_ratio_q(-sign, 3), from_int_q(1)})));
+        assert_true(cagd_poly_degree(a.theta.factor) == 1 && a.count == 1 && cagd_poly_degree(a.coordinate[0]) == 0);
+    }
+    /* a rational coordinate over a field, and one beyond 100 */
+    cagd_algebraic_point a = with_greatest_root(cagd_algebraic_origin(), sub_f(square(X), whole(2)));
+    a = cagd_algebraic_with_number(&a, from_ratio_q(-7, 3));
+    a = with_greatest_root(a, sub_f(Z, mul_f(whole(100), X)));
+    struct cagd_root r = cagd_algebraic_coordinate(&a, 1);
+    assert_true(cagd_equal_q(r.lo, from_ratio_q(-7, 3)) && cagd_equal_q(r.hi, r.lo) && r.multiplicity == 1);
+    assert_true(cagd_poly_equal(r.factor, poly_from_q(2, (num_q[]){from_ratio_q(7, 3), from_int_q(1)})));
+    r = cagd_refine_root(cagd_algebraic_coordinate(&a, 2), from_ratio_q(1, 1000000));
+    assert_true(fabs(cagd_to_double_q(r.lo) - 100 * sqrt(2)) < 1e-5 && r.multiplicity == 1);
+}
+
+/* A root is a number lo = hi or between lo and hi, which are not it; wherever halving meets it, and in whatever order the polynomials that
+ * have it come, with others in common. */
+static void roots_are_between_their_ends(void **state)
+{
+    (void)state;
+    open_field();
+    enum { ROOTS = 7 };
+    num_f x[] = {X, Y};
+    cagd_algebraic_point a = with_greatest_root(cagd_algebraic_origin(), sub_f(square(X), whole(2)));
+    num_q known[ROOTS] = {from_int_q(-4), from_int_q(-1), from_int_q(0), from_ratio_q(1, 2),
+                          from_int_q(1),  from_int_q(2),  from_int_q(3)};
+    num_f factor[ROOTS];
+    for (int k = 0; k < ROOTS; k++)
+        factor[k] = sub_f(Y, from_rational_f(known[k]));
+    for (int turn = 0; turn < ROOTS; turn++)
+        for (int several = 0; several < 3; several++) {
+            cagd_over_k p[ROOTS];
+            int count = 0;
+            num_f all = whole(1);
+            for (int k = 0; k < ROOTS; k++) {
+                num_f one = factor[(k + turn) % ROOTS], next = factor[(k + turn + 1) % ROOTS];
+                all = mul_f(all, one);
+                if (several > 0) /* alone, or with the next one in common */
+                    p[count++] = cagd_algebraic_polynomial(&a, several == 1 ? one : mul_f(one, next), x);
+            }
+            if (several == 0)
+                p[count++] = cagd_algebraic_polynomial(&a, mul_f(all, sub_f(square(Y), X)), x);
+            cagd_root_over_k root[ROOTS + 2];
+            int found = cagd_roots_over_k(&a, count, p, ROOTS + 2, root), places = 0;
+            assert_int_equal(found, several == 0 ? ROOTS + 2 : ROOTS);
+            for (int i = 0; i < found; i++) {
+                int order = cagd_compare_q(root[i].lo, root[i].hi), in = 0;
+                assert_true(order <= 0 && (i == 0 || cagd_compare_q(root[i - 1].hi, root[i].lo) < 0));
+                for (int k = 0; k < ROOTS; k++)
+                    in += order == 0
+                              ? cagd_equal_q(root[i].lo, known[k])
+                              : cagd_compare_q(root[i].lo, known[k]) < 0 && cagd_compare_q(known[k], root[i].hi) < 0;
+                assert_true(in <= 1);
+                places += in;
+            }
+            assert_int_equal(places, ROOTS);
+        }
+}
+
+/* Elements of a field have the sign of their values, though they are 0 at an end of the interval in which theta is enclosed, or near. */
+static void signs_near_the_ends_of_an_interval(void **state)
+{
+    (void)state;
+    open_field();
+    num_f x[] = {X};
+    for (int e = 2; e <= 3; e++) {
+        cagd_algebraic_point a = with_greatest_root(cagd_algebraic_origin(), sub_f(power(X, e), whole(5)));
+        const num_q end[] = {a.theta.lo, a.theta.hi};
+        for (int k = 0; k < 2; k++)
+            for (int times = 1; times <= 3; times++) {
+                num_f away = sub_f(X, from_rational_f(end[k]));
+                const int sign = k == 0 || times % 2 == 0 ? 1 : -1;
+                assert_int_equal(cagd_algebraic_sign(&a, cagd_algebraic_value(&a, power(away, times), x)), sign);
+                assert_int_equal(cagd_algebraic_sign(&a, cagd_algebraic_value(&a, neg_f(power(away, times)), x)),
+                                 -sign);
+            }
+        assert_int_equal(cagd_algebraic_sign(&a, poly_from_q(0, NULL)), 0);
+        for (int c = -1; c <= 1; c++)
+            assert_int_equal(cagd_algebraic_sign(&a, poly_constant(from_int_q(3 * c))), c);
+    }
+}
+
 static num_f random_polynomial(int variables, int degree)
 {
     num_f x[] = {X, Y, Z}, p = whole(random_int(-2, 2));
@@ -383,6 +619,13 @@ int main(void)
                                        unit(another_root_at_the_end_is_left_out),
                                        unit(what_touches_is_decided),
                                        unit(what_is_too_much_is_not_known),
+                                       unit(numbers_are_conditions),
+                                       unit(every_root_and_every_interval_is_looked_at),
+                                       unit(every_two_polynomials_are_projected),
+                                       unit(what_vanishes_over_a_point_or_a_line),
+                                       unit(minimal_polynomials_are_monic),
+                                       unit(roots_are_between_their_ends),
+                                       unit(signs_near_the_ends_of_an_interval),
                                        unit(random_implications_are_those_of_a_grid)};
     return run_unit_tests(tests);
 }
