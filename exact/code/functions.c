@@ -140,8 +140,12 @@ static value with_error_of(value a, value v, double (*plain)(double), const char
 static value enclosed(value a, function *f, double (*plain)(double), const char *name, enum shape shape)
 {
     const struct cagd_code_job *job = cagd_code_machine.job;
-    if (a.special)
-        return cagd_code_special(plain(a.d));
+    if (a.special) { /* 0, 1, -1, or no number; π/2 is no binary64 */
+        double at_infinity = plain(a.d);
+        if (isfinite(at_infinity) && at_infinity != rint(at_infinity))
+            cagd_code_stop(CAGD_CODE_REFUSED, "%s of an infinity", name);
+        return cagd_code_special(at_infinity);
+    }
     if (job->numbers == CAGD_CODE_FIELD || (job->numbers == CAGD_CODE_RATIONAL && !job->enclose))
         cagd_code_stop(CAGD_CODE_REFUSED, "%s of a number for which it is not rational", name);
     value v = {.d = plain(a.d)};

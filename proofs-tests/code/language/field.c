@@ -1,4 +1,4 @@
-/* Functions of the variables x and y, at x = 2/3, y = -5/7.  "~ EXPRESSION": in Python, of x and y; "| CONDITION": one of those told. */
+/* Functions of the variables x and y, at x = 2/3, y = -5/7.  "~ EXPRESSION": in Python, of x and y; "| CONDITION": one of those told; "| A | B |": all of them, in their order. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -88,3 +88,47 @@ double f_power_of_no_number(void) { return isnan(pow(NAN, input_y())); }
 double f_power_of_minus_infinity(void) { return pow(-INFINITY, input_x()); }
 /* ~ 0 | (3*x-2)/3 = 0 */
 double f_frexp_at_0(void) { int e; frexp(input_x() - 2.0 / 3, &e); return e; }
+/* ---- of each rounding all that is said, and no more: "| A | B |" ---- */
+
+/* ~ 0 * x | x >= 0 | x < 1 | */
+double f_all_of_floor(void) { return floor(input_x()); }
+/* ~ -1 + 0 * x | y >= -1 | y < 0 | */
+double f_all_of_floor_below(void) { return floor(input_y()); }
+/* ~ 1 + 0 * x | x > 0 | x <= 1 | */
+double f_all_of_ceil(void) { return ceil(input_x()); }
+/* ~ 0 * x | y > -1 | y <= 0 | */
+double f_all_of_ceil_below(void) { return ceil(input_y()); }
+/* ~ 0 * x | x > -1 | x < 1 | */
+double f_all_of_trunc(void) { return trunc(input_x()); }
+/* ~ 0 * x | y > -1 | y < 1 | */
+double f_all_of_trunc_below(void) { return trunc(input_y()); }
+/* ~ 2 + 0 * x | 3*x >= 2 | 3*x < 3 | */
+double f_all_of_trunc_above_1(void) { return trunc(3 * input_x()); }
+/* ~ -1 + 0 * x | 2*y > -2 | 2*y <= -1 | */
+double f_all_of_trunc_below_minus_1(void) { return trunc(2 * input_y()); }
+/* ~ 1 + 0 * x | x > 1/2 | x < 3/2 | */
+double f_all_of_round(void) { return round(input_x()); }
+/* ~ -1 + 0 * x | y > -3/2 | y < -1/2 | */
+double f_all_of_rint(void) { return rint(input_y()); }
+/* ~ 1 + 0 * x | 3*x/4 >= 1/2 | 3*x/4 < 3/2 | */
+double f_all_of_round_at_a_half(void) { return round(input_x() * 3 / 4); }
+/* ~ 0 * x | 3*x/4 > -1/2 | 3*x/4 <= 1/2 | */
+double f_all_of_rint_at_a_half(void) { return rint(input_x() * 3 / 4); }
+/* ~ 2 + 0 * x | 3*x >= 2 | 3*x < 3 | */
+double f_all_of_an_integer(void) { return (int)(3 * input_x()); }
+/* ~ x - 2 * y | y < 0 | */
+double f_all_of_copysign(void) { return input_x() - 2 * copysign(input_y(), input_y()); }
+/* ~ x | x > 0 | */
+double f_all_of_a_sign(void) { return input_x() > 0 ? input_x() : 0; }
+/* ~ y | y <= 0 | */
+double f_all_of_not_above(void) { return input_y() > 0 ? 0 : input_y(); }
+/* ~ x | x >= y | */
+double f_all_of_not_below(void) { return input_x() < input_y() ? 0 : input_x(); }
+/* ~ x | x != y | */
+double f_all_of_unequal(void) { return input_x() == input_y() ? 0 : input_x(); }
+/* ~ y | y < x | */
+double f_all_of_fmin(void) { return fmin(input_y(), input_x()); }
+/* ~ x - y | x > y | */
+double f_all_of_fdim(void) { return fdim(input_x(), input_y()); }
+/* ~ 2 * x | x > y | x+y < 0 | */
+double f_all_of_two(void) { double x = input_x(), y = input_y(); return x - y > 0 && x + y < 0 ? 2 * x : 0; }
