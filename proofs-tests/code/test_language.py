@@ -114,7 +114,7 @@ class Language(unittest.TestCase):
         self.exact("rarer.c", flags=["-std=gnu17"])
 
     def test_rarer_cpp(self):
-        self.exact("rarer.cc", flags=["-std=c++17"])
+        self.exact("rarer.cc", flags=["-std=c++17", "-fsized-deallocation"])
 
     def test_further_cpp(self):
         self.exact("further.cc", flags=["-std=c++17"])

@@ -185,6 +185,235 @@ static void integers_have_their_ranges(void **state)
                 ends(too_large, &in_rationals, CAGD_CODE_REFUSED, "a number outside the range of");
 }
 
+/* What IEEE 754 says of infinities and NaN beside numbers, where nothing else than their signs counts; 0 has none. */
+static void specials(void)
+{
+    static const double list[] = {1, -1, 2, -0.5, 0, (double)INFINITY, -(double)INFINITY, (double)NAN};
+    enum { MANY = sizeof list / sizeof *list };
+    double (*const operation[])(double, double) = {cagd_code_add, cagd_code_sub, cagd_code_mul, cagd_code_div};
+    for (int i = 0; i < MANY; i++)
+        for (int j = 0; j < MANY; j++) {
+            double a = list[i], b = list[j], wanted[] = {a + b, a - b, a * b, a / b};
+            if (isfinite(a) && isfinite(b))
+                continue;
+            for (int k = 0; k < 4; k++) {
+                if (k == 3 && b == 0)
+                    continue;
+                double x = operation[k](a, b);
+                check(isnan(x) ? isnan(wanted[k]) : x == wanted[k]);
+            }
+        }
+    check(cagd_code_neg((double)INFINITY) == -(double)INFINITY && isnan(cagd_code_neg((double)NAN)));
+    check(cagd_code_neg(-(double)INFINITY) == (double)INFINITY);
+}
+/* In which relation two numbers are: 1 equal, 2 greater, 4 less, 8 none; a predicate is a sum of them. */
+static void comparisons(void)
+{
+    double third = cagd_code_div(1, 3);
+    const double list[] = {-(double)INFINITY, -1, 0, third, 0.5, 2, (double)INFINITY};
+    enum { MANY = sizeof list / sizeof *list };
+    for (int predicate = 0; predicate < 16; predicate++) {
+        for (int i = 0; i < MANY; i++) {
+            for (int j = 0; j < MANY; j++) {
+                int relation = i == j ? SAME : i > j ? GREATER : LESS;
+                check(cagd_code_compare(list[i], list[j], predicate) == ((relation & predicate) != 0));
+            }
+            check(cagd_code_compare(list[i], (double)NAN, predicate) == ((8 & predicate) != 0));
+            check(cagd_code_compare((double)NAN, list[i], predicate) == ((8 & predicate) != 0));
+        }
+        check(cagd_code_compare((double)NAN, (double)NAN, predicate) == ((8 & predicate) != 0));
+        check(cagd_code_compare(cagd_code_div(2, 6), third, predicate) == ((SAME & predicate) != 0));
+    }
+}
+static void signs_and_bits(void)
+{
+    const struct {
+        double x;
+        int below, sign;
+    } list[] = {{cagd_code_div(-1, 3), 1, -1},
+                {cagd_code_div(1, 3), 0, 1},
+                {0, 0, 0},
+                {-0.0, 1, 0},
+                {-2, 1, -1},
+                {2, 0, 1},
+                {(double)INFINITY, 0, 1},
+                {-(double)INFINITY, 1, -1},
+                {(double)NAN, 0, 0},
+                {-(double)NAN, 1, 0},
+                {cagd_code_sub(1, 1), 0, 0}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        check(cagd_code_sign_bits(list[k].x) == -list[k].below);
+        check(cagd_code_sign(cagd_code_value_of(list[k].x)) == list[k].sign);
+    }
+    /* the sizes of numbers are all that of 1 */
+    const double sizes[][2] = {{cagd_code_div(-1, 3), 1},
+                               {-2, 1},
+                               {1, 1},
+                               {-(double)INFINITY, (double)INFINITY},
+                               {(double)INFINITY, (double)INFINITY}};
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        int64_t wide;
+        int32_t narrow;
+        float single = (float)sizes[k][1];
+        memcpy(&wide, &sizes[k][1], sizeof wide);
+        memcpy(&narrow, &single, sizeof narrow);
+        check(cagd_code_size_bits(sizes[k][0], 64) == wide);
+        check(cagd_code_size_bits(sizes[k][0], 32) == narrow);
+    }
+}
+static void what_has_no_order_is_as_in_binary64(void **state)
+{
+    (void)state;
+    ends(specials, &in_rationals, CAGD_CODE_FINISHED, "");
+    ends(comparisons, &in_rationals, CAGD_CODE_FINISHED, "");
+    ends(signs_and_bits, &in_rationals, CAGD_CODE_FINISHED, "");
+}
+
+/* The integers nearest to quarters, of which the rounding chooses one. */
+static enum cagd_code_numbers rounded_in;
+static void roundings(void)
+{
+    for (int n = -18; n <= 18; n++) {
+        double x = n / 4.;
+        const struct {
+            enum cagd_code_rounding how;
+            double wanted;
+        } list[] = {{CAGD_CODE_TRUNC, trunc(x)},
+                    {CAGD_CODE_FLOOR, floor(x)},
+                    {CAGD_CODE_CEIL, ceil(x)},
+                    {CAGD_CODE_ROUND, round(x)},
+                    {CAGD_CODE_EVEN, rint(x)}};
+        for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+            cagd_code_value v = cagd_code_whole(cagd_code_value_of(x), list[k].how);
+            check(cagd_equal_q(v.q, from_double_q(list[k].wanted)));
+            check(rounded_in != CAGD_CODE_ROUNDING || v.d == list[k].wanted);
+            check(v.shares == 0);
+        }
+    }
+    check(isnan(cagd_code_whole(cagd_code_special((double)NAN), CAGD_CODE_FLOOR).d));
+    check(cagd_code_whole(cagd_code_special(-(double)INFINITY), CAGD_CODE_CEIL).d == -(double)INFINITY);
+}
+static void numbers_are_rounded_in_five_ways(void **state)
+{
+    (void)state;
+    for (rounded_in = CAGD_CODE_RATIONAL; rounded_in <= CAGD_CODE_ROUNDING; rounded_in++)
+        ends(roundings, &(struct cagd_code_job){.numbers = rounded_in}, CAGD_CODE_FINISHED, "");
+}
+
+/* ---- texts and floats -------------------------------------------------------------------------------------- */
+
+static void texts(void)
+{
+    check(strcmp(cagd_code_text(cagd_code_value_of(cagd_code_div(-3, 7))), "-3/7") == 0);
+    check(strcmp(cagd_code_text(cagd_code_value_of(2)), "2") == 0);
+    check(strcmp(cagd_code_text(cagd_code_special((double)INFINITY)), "inf") == 0);
+    check(strcmp(cagd_code_field_text(cagd_code_special(-(double)INFINITY)), "-inf") == 0);
+    check(strcmp(cagd_code_text(cagd_code_enclosed(cagd_hull_i(cagd_from_double_i(0.5), cagd_from_double_i(1.25)))),
+                 "in [0.5, 1.25]") == 0);
+    check(strcmp(cagd_code_field_text(cagd_code_value_of(cagd_code_div(-3, 7))), "-3/7") == 0);
+    float third = cagd_code_narrow(cagd_code_div(1, 3)), half = cagd_code_narrow(0.5), tenth = cagd_code_narrow(0.1);
+    check(half == 0.5f && cagd_code_widen(half) == 0.5); /* what is a float is one */
+    check(cagd_equal_q(cagd_code_value_of(cagd_code_widen(third)).q, from_ratio_q(1, 3)));
+    check(cagd_code_widen(tenth) == 0.1); /* what is none stays what it is */
+    check(cagd_code_widen(0.1f) == (double)0.1f);
+    check(cagd_code_narrow((double)INFINITY) == (float)INFINITY && isnan(cagd_code_narrow((double)NAN)));
+    uint32_t bits, more;
+    memcpy(&bits, &third, sizeof bits);
+    memcpy(&more, &half, sizeof more);
+    check(cagd_code_is_single(bits) && !cagd_code_is_single(more) && !cagd_code_is_single(bits + 7));
+    double x = cagd_code_div(1, 3);
+    uint64_t wide;
+    memcpy(&wide, &x, sizeof wide);
+    check(cagd_code_is_one(wide) && !cagd_code_is_one(wide + 1000) && !cagd_code_is_one(0));
+}
+static void in_floats_with_rounding(void)
+{
+    static const struct cagd_code_place here = {"a.c", "f", 3};
+    cagd_code_at = &here;
+    double third = cagd_code_div(1, 3);
+    cagd_code_value v = cagd_code_value_of(cagd_code_widen(cagd_code_narrow(third)));
+    check(v.d == (double)(float)(1 / 3.) && cagd_equal_q(v.q, from_ratio_q(1, 3)));
+    double sum = 0;
+    for (int k = 0; k < v.shares; k++)
+        sum += v.share[k].amount;
+    check(fabs(sum - to_double_q(cagd_sub_q(from_double_q(v.d), v.q))) < 1e-18 && sum != 0);
+}
+static const char *never;
+static void never_computed(void)
+{
+    double x;
+    float f;
+    memset(&x, *never, sizeof x);
+    memset(&f, *never, sizeof f);
+    if (never[1] == 'd')
+        cagd_code_value_of(x);
+    else
+        cagd_code_widen(f);
+}
+static void values_have_texts_and_floats(void **state)
+{
+    (void)state;
+    ends(texts, &in_rationals, CAGD_CODE_FINISHED, "");
+    ends(in_floats_with_rounding, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
+    static const char *const list[][2] = {{"\xFF"
+                                           "d",
+                                           "a value that was never computed"},
+                                          {"\xAA"
+                                           "d",
+                                           "a value that was never computed"},
+                                          {"\xFE"
+                                           "d",
+                                           "a value from outside an array"},
+                                          {"\xFF"
+                                           "f",
+                                           "a value that was never computed"},
+                                          {"\xAA"
+                                           "f",
+                                           "a value that was never computed"},
+                                          {"\xFE"
+                                           "f",
+                                           "a value from outside an array"}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        never = list[k][0];
+        ends(never_computed, &in_rationals, CAGD_CODE_REFUSED, list[k][1]);
+    }
+}
+static double small_bits;
+static void bits_of_an_integer(void) { cagd_code_value_of(small_bits); }
+static void bits_of_integers_are_no_numbers(void **state)
+{
+    (void)state;
+    static const uint64_t refused[] = {1, 5, 0xFFFFFFFF, 0x8000000000000001},
+                          known[] = {0, 0x8000000000000000, 0x100000000};
+    for (size_t k = 0; k < sizeof refused / sizeof *refused; k++) {
+        memcpy(&small_bits, &refused[k], sizeof small_bits);
+        ends(bits_of_an_integer, &in_rationals, CAGD_CODE_REFUSED, "the bits of an integer as a number");
+    }
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        memcpy(&small_bits, &known[k], sizeof small_bits);
+        ends(bits_of_an_integer, &in_rationals, CAGD_CODE_FINISHED, "");
+    }
+}
+
+/* So many numbers are none too many, and one more is. */
+static int how_many;
+static void some_numbers(void)
+{
+    for (int k = 0; k < how_many; k++)
+        cagd_code_div(1, 3);
+}
+static void so_many_bits(void) { cagd_code_number(cagd_code_constant(from_ratio_q(1, 1L << how_many))); }
+static void bounds_are_those_of_the_job(void **state)
+{
+    (void)state;
+    const struct cagd_code_job job = {.numbers = CAGD_CODE_RATIONAL, .most_values = 10, .most_bits = 22};
+    for (how_many = 9; how_many <= 11; how_many++)
+        ends(some_numbers, &job, how_many <= 10 ? CAGD_CODE_FINISHED : CAGD_CODE_BOUND, "more than 10 numbers");
+    for (how_many = 19; how_many <= 22; how_many++) /* of 2^-n the denominator has n + 1 bits, the numerator one */
+        ends(so_many_bits, &job, how_many <= 20 ? CAGD_CODE_FINISHED : CAGD_CODE_BOUND,
+             "a number of more than 22 bits");
+}
+
 /* ---- the way --------------------------------------------------------------------------------------------- */
 
 /* The paths of all decisions of up to four truths, each at one of two lines, are different ones. */
@@ -512,6 +741,11 @@ int main(void)
                                        unit(powers_are_products),
                                        unit(classes_are_those_of_the_number),
                                        unit(integers_have_their_ranges),
+                                       unit(what_has_no_order_is_as_in_binary64),
+                                       unit(numbers_are_rounded_in_five_ways),
+                                       unit(values_have_texts_and_floats),
+                                       unit(bits_of_integers_are_no_numbers),
+                                       unit(bounds_are_those_of_the_job),
                                        unit(ways_that_decide_otherwise_are_others),
                                        unit(inputs_that_are_alike_are_one_variable),
                                        unit(noted_orders_are_signs),

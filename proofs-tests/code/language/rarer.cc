@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <forward_list>
@@ -247,4 +248,83 @@ double y_float_from_a_stream(void) { std::stringstream s; s << -5.0 / 7 << ';' <
 double y_end_of_a_stream(void) { std::istringstream i("0.5 0.25"); double x, s = 0; while (i >> x) s += x; return s == 0.75 && i.eof() && i.fail(); }
 /* = 1 */
 double y_unordered_by_text(void) { std::unordered_map<std::string, double> m; m["a"] = 1.0 / 3; m["b"] = 2.0 / 3; return m["a"] + m[std::string(1, 'b')]; }
+/* ---- each form of new gives memory that was never filled, each form of delete takes it back ---- */
+
+/* ! given back */
+double y_deleted_array(void) { auto *p = new double[3]{1, 2, 3}; delete[] p; return p[1] + 1; }
+/* ! given back */
+double y_deleted_aligned(void) { auto *w = new Wide{}; delete w; return w->a[1] + 1; }
+/* ! given back */
+double y_deleted_aligned_array(void) { auto *w = new Wide[2]{}; delete[] w; return w[1].a[1] + 1; }
+/* ! given back */
+double y_deleted_without_a_size(void) { auto *p = static_cast<double *>(::operator new(64)); p[1] = 1; ::operator delete(p); return p[1]; }
+/* ! given back */
+double y_deleted_array_without_a_size(void) { auto *p = static_cast<double *>(::operator new[](64)); p[1] = 1; ::operator delete[](p); return p[1]; }
+/* ! given back */
+double y_deleted_array_with_a_size(void) { auto *p = static_cast<double *>(::operator new[](64)); p[1] = 1; ::operator delete[](p, std::size_t(64)); return p[1]; }
+/* ! given back */
+double y_deleted_nothrow(void) { auto *p = static_cast<double *>(::operator new(64, std::nothrow)); p[1] = 1; ::operator delete(p, std::nothrow); return p[1]; }
+/* ! given back */
+double y_deleted_array_nothrow(void) { auto *p = static_cast<double *>(::operator new[](64, std::nothrow)); p[1] = 1; ::operator delete[](p, std::nothrow); return p[1]; }
+/* ! given back */
+double y_deleted_with_an_alignment(void) { auto *p = static_cast<double *>(::operator new(64, std::align_val_t(64))); p[1] = 1; ::operator delete(p, std::align_val_t(64)); return p[1]; }
+/* ! given back */
+double y_deleted_array_with_an_alignment(void) { auto *p = static_cast<double *>(::operator new[](64, std::align_val_t(64))); p[1] = 1; ::operator delete[](p, std::align_val_t(64)); return p[1]; }
+/* ! given back */
+double y_deleted_with_a_size_and_an_alignment(void) { auto *p = static_cast<double *>(::operator new(64, std::align_val_t(64))); p[1] = 1; ::operator delete(p, 64, std::align_val_t(64)); return p[1]; }
+/* ! given back */
+double y_deleted_array_with_a_size_and_an_alignment(void) { auto *p = static_cast<double *>(::operator new[](64, std::align_val_t(64))); p[1] = 1; ::operator delete[](p, 64, std::align_val_t(64)); return p[1]; }
+/* ! never computed */
+double y_new_array_never(void) { return static_cast<double *>(::operator new[](64))[1] + 1; }
+/* ! never computed */
+double y_new_nothrow_never(void) { return static_cast<double *>(::operator new(64, std::nothrow))[1] + 1; }
+/* ! never computed */
+double y_aligned_nothrow_never(void) { return static_cast<double *>(::operator new(64, std::align_val_t(64), std::nothrow))[1] + 1; }
+/* ! never computed */
+double y_aligned_array_nothrow_never(void) { return static_cast<double *>(::operator new[](64, std::align_val_t(64), std::nothrow))[1] + 1; }
+/* ! 0 bytes behind the end */
+double y_behind_aligned_array(void) { return static_cast<double *>(::operator new[](64, std::align_val_t(8)))[8] + 1; }
+static bool at_multiple(void *p, std::size_t n) { return reinterpret_cast<std::size_t>(p) % n == 0; }
+/* = 1 + 2 + 4 + 8 */
+double y_alignments(void) { std::align_val_t a{256}; return at_multiple(::operator new(8, a), 256) + 2 * at_multiple(::operator new[](8, a), 256) + 4 * at_multiple(::operator new(8, a, std::nothrow), 256) + 8 * at_multiple(::operator new[](8, a, std::nothrow), 256); }
+/* ! no memory for operator new */
+double y_new_of_too_much(void) { volatile std::size_t n = SIZE_MAX / 2 - 64; return *static_cast<char *>(::operator new(n)); }
+/* ! no memory for operator new */
+double y_new_array_of_too_much(void) { volatile std::size_t n = SIZE_MAX / 2 - 64; return *static_cast<char *>(::operator new[](n)); }
+/* ! no memory for operator new */
+double y_aligned_new_of_too_much(void) { volatile std::size_t n = SIZE_MAX / 2 - 64; return *static_cast<char *>(::operator new(n, std::align_val_t(64))); }
+/* = 3 */
+double y_nothrow_of_too_much(void) { volatile std::size_t n = SIZE_MAX / 2 - 64; return (::operator new(n, std::nothrow) == nullptr) + 2 * (::operator new[](n, std::nothrow) == nullptr); }
+
+/* ---- numbers in streams ---- */
+
+/* = 1 + 2 + 4 */
+double y_streams_of_numbers(void)
+{
+    std::ostringstream a, b, c;
+    a << -1.0 / 3 << ',' << 2.0 << ',' << 5.0f / 7;
+    b << INFINITY << ' ' << -INFINITY;
+    c << 0.1;
+    return (a.str() == "-1/3,2,5/7") + 2 * (b.str() == "inf -inf") + 4 * (c.str() == "3602879701896397/36028797018963968");
+}
+/* = F(-1, 3) + 100 * F(22, 7) + 10000 * 5 */
+double y_fractions_one_after_another(void) { std::istringstream i("-1/3 +22/7\n5"); double x, y, z; i >> x >> y >> z; return x + 100 * y + 10000 * z; }
+/* = F(9007199254740991, 7) */
+double y_largest_numerator(void) { std::istringstream i("9007199254740991/7"); double x; i >> x; return x; }
+/* ! no whole number below 2^53 */
+double y_numerator_that_is_too_large(void) { std::istringstream i("9007199254740992/7"); double x; i >> x; return x; }
+/* = F(-9007199254740991, 7) */
+double y_least_numerator(void) { std::istringstream i("-9007199254740991/7"); double x; i >> x; return x; }
+/* ! no whole number below 2^53 */
+double y_numerator_that_is_too_small(void) { std::istringstream i("-9007199254740992/7"); double x; i >> x; return x; }
+/* ! no whole number below 2^53 */
+double y_numerator_that_is_no_whole_number(void) { std::istringstream i("0.5/7"); double x; i >> x; return x; }
+/* ! no whole number below 2^53 */
+double y_denominator_that_is_not_there(void) { std::istringstream i("1/x"); double x; i >> x; return x; }
+/* = F(1, 3) + 100 * 7 */
+double y_what_stands_behind_a_fraction(void) { std::istringstream i("1/3x7"); double x; char c; int n; i >> x >> c >> n; return c == 'x' ? x + 100 * n : 0; }
+/* = F(1, 3) + 100 * F(1, 7) + 10000 * F(1, 4) */
+double y_floats_from_a_stream(void) { std::istringstream i("1/3 1/7 0.25"); float x, y, z; i >> x >> y >> z; return x + 100 * y + 10000 * z; }
+/* = 2 */
+double y_hash_of_texts(void) { std::hash<std::string> h; return (h("spline") == h(std::string("spl") + "ine")) + (h("spline") != h("splinf")); }
 }
