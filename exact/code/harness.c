@@ -17,6 +17,9 @@ static int wrong(struct cagd_code_harness_error *error, int line, const char *fo
     va_start(list, format);
     vsnprintf(error->cause, sizeof error->cause, format, list);
     va_end(list);
+    for (char *at = error->cause; *at != 0; at++) /* of an entry that goes on in the next line, too, one line is told */
+        if (*at == '\n')
+            *at = ' ';
     error->line = line;
     return -1;
 }
@@ -325,11 +328,11 @@ static int take_entry(struct cagd_code_harness *h, const char *key, const char *
         h->memcpy_moves = strcmp(text, "moves") == 0;
         return h->memcpy_moves ? 0 : wrong(error, line, "\"moves\" was expected");
     }
-    return wrong(
-        error, line,
-        "there is no key \"%s\"; source, flag, include, declare, input, where, call, output, expect, printed, let, use, "
-        "for, known, points, roots, memcpy and title are known",
-        key);
+    return wrong(error, line,
+                 "there is no key \"%s\"; source, flag, include, declare, input, where, call, output, expect, printed, "
+                 "let, use, "
+                 "for, known, points, roots, memcpy and title are known",
+                 key);
 }
 
 int cagd_code_output_name(const char *text, char name[CAGD_CODE_MOST_NAME + 1], int *count)
@@ -372,7 +375,8 @@ static int check_formulas(const struct cagd_code_harness *h, struct cagd_code_ha
             bad = wrong(error, h->printed.number[k], "%s", one.message);
         else if (!has_output(h, &one, t))
             bad = wrong(error, h->printed.number[k],
-                        "\"%s\" has none of the outputs in it, so that it says nothing of the code (a name that is an input, too, is the input)",
+                        "\"%s\" has none of the outputs in it, so that it says nothing of the code (a name that is an "
+                        "input, too, is the input)",
                         h->printed.text[k]);
     }
     cagd_region_drop(mark);
@@ -487,9 +491,8 @@ void cagd_code_harness_free(struct cagd_code_harness *h)
 {
     while (h != NULL) {
         struct cagd_code_harness *next = h->next;
-        struct cagd_code_lines *lists[] = {&h->source, &h->flag,   &h->include, &h->declare, &h->where,
-                                           &h->call,   &h->output, &h->expect,  &h->known,
-                                           &h->let,    &h->printed};
+        struct cagd_code_lines *lists[] = {&h->source, &h->flag,   &h->include, &h->declare, &h->where,  &h->call,
+                                           &h->output, &h->expect, &h->known,   &h->let,     &h->printed};
         for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
             free_lines(lists[k]);
         for (int k = 0; k < h->inputs; k++) {

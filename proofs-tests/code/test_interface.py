@@ -3,6 +3,7 @@
     python3 test_interface.py FOLDER-OF-PROGRAMS ROOT"""
 import os
 import pathlib
+import shutil
 import sys
 import tempfile
 import unittest
@@ -143,8 +144,119 @@ class Interface(unittest.TestCase):
                 code(y=3)
         with self.assertRaisesRegex(Refused, "there is no :call:"):
             Code(source=CURVES, call="", output="")
+        with self.assertRaisesRegex(Refused, "^y: \"\\s+z\" is not known; .* was expected$"):  # one line, whatever is wrong
+            Code(source=CURVES, input="x; y\nz", call="double R = x;", output="R")
         with self.assertRaisesRegex(Refused, "was not set"):
             self.casteljau()(t=1)
+
+    def of_text(self, text, **parts):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        source = pathlib.Path(folder.name) / "code.c"
+        source.write_text(text)
+        return self.code(source=str(source), **parts)
+
+    def test_every_part_of_the_code_is_used(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            (folder / "one.c").write_text("double one(double x) { return x + ONE; }\n")
+            (folder / "two.c").write_text("double two(double x) { return x * TWO; }\n")
+            (folder / "three.h").write_text("#define THREE 3\n")
+            (folder / "four.h").write_text("#define FOUR 4\n")
+            code = self.code(source=f"{folder}/one.c {folder}/two.c", flags=f"-DONE=1 -DTWO=2 -I{folder}", include="<three.h> <four.h>",
+                             declare="double one(double);\ndouble two(double);", input="x; y; z = 7", where="x < 5\n&& y < 5",
+                             call="double R = two(one(x));\ndouble S = R + THREE * y, T[2] = {FOUR, z};", output="R S T[2]")
+            self.assertEqual(code(x=F(1, 3), y=F(1, 7)), {"R": F(8, 3), "S": F(8, 3) + F(3, 7), "T[0]": 4, "T[1]": 7})
+            with self.assertRaisesRegex(Refused, "a precondition is not true"):
+                code(x=1, y=6)
+
+    def test_what_is_set_stays_and_what_is_wrong_changes_nothing(self):
+        code = self.of_text("double f(double x, const double *p) { return x + 10 * p[0] + 100 * p[1]; }", declare="double f(double, const double *);",
+                            input="x; p[2]; a = 1", call="double R = f(x, p);", output="R")
+        with self.assertRaisesRegex(Refused, "the input x was not set"):
+            code(p=[2, 3])
+        with self.assertRaisesRegex(Refused, "the input x was not set"):
+            code()
+        self.assertEqual(code(x=1)["R"], 321)
+        for wrong in [{"p": [5]}, {"p": [5, 6, 7]}, {"p": [5, "x"]}, {"p": ["1/0", 5]}, {"x": [5, 5]}, {"q": 5}, {"x": "5x"}]:
+            with self.assertRaisesRegex(Refused, "no such input of so many numbers, or one is no number"):
+                code(**wrong)
+        self.assertEqual(code()["R"], 321)
+        self.assertEqual(code(p=["-1/2", "0.5"])["R"], 46)
+
+    def test_inputs_that_do_not_decrease_are_variables_of_their_own(self):
+        code = self.of_text("double f(const double *u) { return u[0] + 10 * u[1] + 100 * u[2]; }", declare="double f(const double *);",
+                            input="u[3] nondecreasing", call="double R = f(u);", output="R")
+        self.assertEqual(code.function(u=[1, 1, 2]), {"R": "u[0]+10*u[1]+100*u[2]"})
+        self.assertEqual(code(u=[1, 1, 2])["R"], 211)
+
+    def test_what_is_asked_of_the_last_call(self):
+        code = self.of_text("#include <math.h>\ndouble f(double x, double y) { if (x > 2) x = x / 7; if (y < x) y = y / 3; return fabs(x - y); }",
+                            declare="double f(double, double);", input="x > 0; y",
+                            where="y > -9", call="double R = f(x, y), S = x, T = 1 / (x + 2);", output="R S T")
+        self.assertEqual(code(x=3, y=F(1, 7))["R"], F(3, 7) - F(1, 21))
+        for asked in ["function R", "condition 0", "get Q", "get R S Q"]:
+            with self.assertRaisesRegex(Refused, "there is none"):
+                code._ask(asked)
+        self.assertEqual(code._ask("get T R S"), f"1/5\t{F(3, 7) - F(1, 21)}\t3")
+        self.assertEqual(code.function(x=3, y=F(1, 7))["T"], "1/(x+2)")
+        self.assertEqual(code.conditions(), ["x > 2", "y < x/7", "(3*x-7*y)/21 >= 0"])  # without those that are given
+        rounded = code.rounding(x=3, y=F(1, 7))
+        self.assertEqual(rounded["S"], (3.0, 0.0))
+        self.assertEqual(rounded["T"][0], 0.2)
+        self.assertAlmostEqual(rounded["T"][1], float(abs(F(0.2) - F(1, 5)) * 2**55), places=9)
+        self.assertEqual(code._ask("run interval"), "")
+        self.assertTrue(code._ask("get S").startswith("in [3, 3") or code._ask("get S") == "3")
+        with self.assertRaises(Refused) as caught:
+            code(x=-1)
+        self.assertEqual(caught.exception.end, "outside")
+        for asked in ["get R", "function R", "condition 9"]:
+            with self.assertRaisesRegex(Refused, "there is none"):
+                code._ask(asked)
+        self.assertEqual(code._ask("computed R"), "nan")
+        self.assertEqual(code._ask("ulps R"), "nan")
+
+    def test_every_end_has_its_word(self):
+        code = self.of_text("#include <stdlib.h>\n#include <math.h>\ndouble f(double x)\n{\n    if (x == 1)\n        return 1 / (x - 1);\n    if (x == 2)\n        return tgamma(x);\n"
+                            "    for (; x == 3;)\n        for (double y = 3;;)\n            y *= y;\n    if (x == 4)\n        abort();\n    return x == 6 ? sqrt(2) : x;\n}\n",
+                            declare="double f(double);", input="x", where="x < 9", call="double R = f(x);", output="R")
+        for x, end, says in [(1, "undefined", "^a division by zero, at .*code.c:6 in f$"), (2, "refused", "^the function tgamma, at .*code.c:8 in f$"),
+                             (3, "bound", "^a number of more than .* bits, at .*code.c:11 in f$"), (4, "crashed", "aborted; .*, at .*code.c:13 in f$"),
+                             (10, "outside", "^a precondition is not true, at ")]:
+            for numbers in ["rational", "field", "rounding"]:
+                with self.subTest(f"{x} {numbers}"):
+                    with self.assertRaisesRegex(Refused, says) as caught:
+                        code._ask(f"set x {x}", f"run {numbers}")
+                    self.assertEqual(caught.exception.end, end)
+            self.assertEqual(code(x=5)["R"], 5)
+        self.assertRegex(code(x=6)["R"], r"^in \[1\.41421356237309.*, 1\.414213562373")
+
+    def test_the_compiler_that_is_named_is_used(self):
+        had = os.environ.get("CAGD_COMPILE_EXACTLY")
+        try:
+            os.environ["CAGD_COMPILE_EXACTLY"] = "/nowhere/compiler"
+            with self.assertRaisesRegex(Refused, "^/nowhere/compiler cannot be started: No such file or directory"):
+                self.casteljau()
+            os.environ["CAGD_COMPILE_EXACTLY"] = ""
+            self.assertEqual(self.casteljau()(p=[1, 1, 1, 1], t=3)["R"], 1)
+        finally:
+            os.environ.pop("CAGD_COMPILE_EXACTLY")
+            if had is not None:
+                os.environ["CAGD_COMPILE_EXACTLY"] = had
+
+    def test_the_compiler_is_looked_for_in_path_last(self):
+        with tempfile.TemporaryDirectory() as folder:
+            alone = pathlib.Path(folder) / "session"
+            shutil.copy(PROGRAMS / "cagd-exactly-session", alone)
+            had = os.environ["PATH"]
+            self.addCleanup(os.environ.__setitem__, "PATH", had)
+            self.addCleanup(os.environ.__setitem__, "CAGD_EXACTLY_SESSION", os.environ["CAGD_EXACTLY_SESSION"])
+            os.environ["CAGD_EXACTLY_SESSION"] = str(alone)
+            with self.assertRaisesRegex(Refused, "was not found beside this program or in PATH"):
+                self.casteljau()
+            for path in [f"/nowhere:{PROGRAMS}:/usr/bin", f"{PROGRAMS}:/usr/bin", f"/usr/bin:{PROGRAMS}"]:
+                os.environ["PATH"] = path
+                self.assertEqual(self.casteljau()(p=[1, 1, 1, 1], t=3)["R"], 1)
 
 
 if __name__ == "__main__":

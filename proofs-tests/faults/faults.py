@@ -103,15 +103,15 @@ class Expression(Room):
 
 class Code(Room):
     """What executes code of others, judged by its unit tests, by small programs of every feature of the language, and by what `cagd exactly` says."""
-    configured, targets = Expression.configured, ["cagd", "cagd-compile-exactly", "run_programs"]
+    configured, targets = Expression.configured, ["cagd", "cagd-compile-exactly", "cagd-exactly-session", "run_programs"]
     tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_harness test_border test_shares test_machine test_conditions test_decide".split()},
              "language": [sys.executable, ROOT / "proofs-tests/code/test_language.py", "./cagd-compile-exactly", "proofs-tests/code/run_programs", "-f"],
              "what is said": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Verdicts", "Mistakes"],
              "pages": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Page", "Certificates"],
-             "formulas": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Printed"]}
-    slow = {"interface": [sys.executable, ROOT / "proofs-tests/code/test_interface.py", ".", ROOT]}
+             "formulas": [sys.executable, ROOT / "proofs-tests/cli/test_exactly.py", "cagd", ROOT, "-f", "Printed"],
+             "interface": [sys.executable, ROOT / "proofs-tests/code/test_interface.py", ".", ROOT, "-f"]}
     KNOWS = {"driver": "test_harness", "conditions": "test_conditions", "polyhedron": "test_conditions", "signs": "test_conditions", "border": "test_border",
-             "harness": "test_harness", "points": "test_harness", "formula": "formulas", "orders": "test_shares", "decide": "test_decide"}
+             "harness": "test_harness", "points": "test_harness", "formula": "formulas", "orders": "test_shares", "decide": "test_decide", "exactly": "interface", "resident": "interface"}
 
     def units(self):
         return {c: [c] for c in sources("exact/code/*.c") if not c.endswith("session.c")}

@@ -166,6 +166,7 @@ static void mistakes_have_their_lines(void **state)
         {":title", 2, ":key: text"},
         {"title: t", 2, ":key: text"},
         {":input: x; y[88]", 1, "more than 88 variables"},
+        {":input: x\n increasing\n y", 2, "x: \"  increasing  y\" is not known; nothing"}, /* in one line */
     };
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         char text[400];
