@@ -4,6 +4,7 @@
 
 Above each program of language/ stands what it should give (see the first lines of the files)."""
 import math
+import os
 import pathlib
 import re
 import struct
@@ -148,6 +149,52 @@ class Language(unittest.TestCase):
             self.exact("several.cc", self.archive("plain.a", made[:1]), self.archive("thin.a", made[1:4], "rcT"), self.archive("two.a", made[4:]))
         with self.subTest("optimised, where constructors are aliases"):
             self.exact("several.cc", self.archive("optimised.a", [self.bitcode(name, "-O1") for name in parts]))
+
+    def test_each_language_by_the_ends_of_its_files(self):
+        """Wherever the file stands among others; `new` is a name in C, and a word in C++."""
+        folder = pathlib.Path(self.folder.name)
+        (folder / "number.c").write_text("double number(int new); double number(int new) { return 1.0 / new; }\n")
+        for end in [".cc", ".cpp", ".cxx", ".C"]:
+            other = folder / ("other" + end)
+            other.write_text('extern "C" double from_another_file(double); template <class T> T third(T x) { return x / 3; }\n'
+                             "double from_another_file(double x) { return third(x); }\n")
+            for sources in [[other, folder / "number.c"], [folder / "number.c", other]]:
+                with self.subTest(end):
+                    subprocess.run([COMPILER, "-o", folder / "object.so", *sources], check=True)
+        for sources in [["number.c"], ["none.c"], ["number.c", "none.cc"]]:
+            made = subprocess.run([COMPILER, "-o", folder / "object.so", *[folder / name for name in sources]], capture_output=True, text=True)
+            self.assertEqual(made.returncode, int("none" in sources[-1]), made.stderr)
+
+    def test_wrong_usage_is_told(self):
+        folder = pathlib.Path(self.folder.name)
+        archive = self.archive("archive.a", [self.bitcode("archived.c")])
+        (folder / "text.txt").write_text("no source")
+        out = ["-o", folder / "object.so"]
+        for words, code, says in [([], 2, "usage: "), (out, 2, "usage: "), ([FOLDER / "other.c"], 2, "usage: "), ([FOLDER / "other.c", "-o"], 2, "usage: "),
+                                  ([*out, folder / "text.txt"], 2, "a source in C or C.., bitcode or an archive of it was expected: .*text.txt"),
+                                  ([*out, archive], 2, "nothing but archives, of which nothing is missed"), ([*out, archive, archive], 2, "nothing but archives"),
+                                  ([*out, folder / "none.a", FOLDER / "other.c"], 1, "No such file or directory: .*none.a"),
+                                  ([*out, "--names", folder / "none/list", FOLDER / "other.c"], 1, "No such file or directory: .*none/list")]:
+            with self.subTest(says):
+                made = subprocess.run([COMPILER, *words], capture_output=True, text=True)
+                self.assertEqual((made.returncode, made.stdout), (code, ""), made.stderr)
+                self.assertRegex(made.stderr.splitlines()[-1], "^cagd-compile-exactly: " + says)
+        self.assertEqual(list(pathlib.Path(self.folder.name).glob("cagd-code-*")), [])
+        made = subprocess.run([COMPILER, "--stores", *out, FOLDER / "other.c", archive, "--", "-O0", "-DX"], capture_output=True, text=True)
+        self.assertEqual((made.returncode, made.stdout, made.stderr), (0, "", ""))
+        made = subprocess.run([COMPILER, "--tools"], capture_output=True, text=True)
+        self.assertTrue((pathlib.Path(made.stdout.strip()) / "clang").exists())
+
+    def test_nothing_is_left_in_tmpdir(self):
+        folder = pathlib.Path(self.folder.name) / "tmp"
+        folder.mkdir()
+        environment = {**os.environ, "TMPDIR": str(folder)}
+        for source, code in [("other.c", 0), ("none.c", 1)]:
+            made = subprocess.run([COMPILER, "-o", folder.parent / "object.so", FOLDER / source], capture_output=True, env=environment)
+            self.assertEqual((made.returncode, list(folder.iterdir())), (code, []))
+        environment["TMPDIR"] = str(folder / "none")
+        made = subprocess.run([COMPILER, "-o", folder.parent / "object.so", FOLDER / "other.c"], capture_output=True, text=True, env=environment)
+        self.assertEqual((made.returncode, made.stderr), (1, "cagd-compile-exactly: no temporary folder: No such file or directory\n"))
 
     def test_what_is_no_archive_of_bitcode_is_told(self):
         folder = pathlib.Path(self.folder.name)

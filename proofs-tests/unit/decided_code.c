@@ -1,6 +1,8 @@
 /* decided_code.c -- code as it is once it is rewritten, by hand: what test_decide.c asks about.  The input `which` says which. */
 #include "exact/code/machine.h"
 
+#include <math.h>
+
 enum { SAME = 1, GREATER = 2, LESS = 4, MOST_NUMBERS = 16 };
 
 static double input(const char *name)
@@ -87,6 +89,34 @@ static void two_results(double x)
     }
 }
 
+/* r = x + 1 where x lies between the inputs least and most, else x. */
+static void wrong_between(double x)
+{
+    int is_above = cagd_code_compare(x, input("least"), GREATER);
+    put(is_above && cagd_code_compare(x, input("most"), LESS) ? cagd_code_add(x, 1) : x, x);
+}
+
+/* p[2] = 0 where it is not 0. */
+static void third_of_three(void)
+{
+    double p[3], wanted[3];
+    cagd_code_input("p", 3, p);
+    for (int k = 0; k < 3; k++)
+        wanted[k] = p[k];
+    wanted[2] = 0;
+    cagd_code_expect("r", 3, p, wanted);
+}
+
+/* Infinities, NaN and numbers as results and as what they should be. */
+static void of_no_order(int kind)
+{
+    static const double list[] = {(double)INFINITY, -(double)INFINITY, (double)NAN, 1};
+    put(list[kind / 4], list[kind % 4]);
+}
+
+double cagd_code_lib_sqrt(double x);
+static void root(int of, double wanted) { put(cagd_code_lib_sqrt(of), wanted); }
+
 static void precondition(int can_be_true)
 {
     double x = input("x");
@@ -94,6 +124,19 @@ static void precondition(int can_be_true)
     cagd_code_where(cagd_code_compare(x, 3, GREATER) && (can_be_true || cagd_code_compare(x, 2, LESS)));
     cagd_code_given(0);
     put(cagd_code_compare(x, 2, LESS) ? 0 : x, x);
+}
+
+void never_ends(void);
+void never_ends(void)
+{
+    for (volatile int k = 0;; k++)
+        ;
+}
+void asks_for_more(void);
+void asks_for_more(void)
+{
+    double x[2];
+    cagd_code_input("x", 2, x);
 }
 
 void cagd_code_entry(void);
@@ -133,6 +176,24 @@ void cagd_code_entry(void)
         break;
     case 15:
         two_results(input("x"));
+        break;
+    case 16:
+        wrong_between(input("x"));
+        break;
+    case 17:
+        third_of_three();
+        break;
+    case 18:
+        of_no_order((int)input("kind"));
+        break;
+    case 19:
+        root(2, cagd_code_lib_sqrt(2));
+        break;
+    case 20:
+        root(2, 1.5);
+        break;
+    case 21:
+        root(4, 2);
         break;
     default:
         precondition(input("which") == 9);

@@ -734,6 +734,206 @@ static void memory_goes_back_to_the_system(void **state)
     ends(give_back, &in_rationals, CAGD_CODE_FINISHED, "");
 }
 
+/* Elements and the one behind the last, of which only the address is taken. */
+static long index_of, count_of;
+static int index_is_used;
+static void element(void) { cagd_code_index(index_of, count_of, index_is_used); }
+static void indices_are_those_of_the_array(void **state)
+{
+    (void)state;
+    for (count_of = 0; count_of <= 3; count_of++)
+        for (index_of = -2; index_of <= 5; index_of++)
+            for (index_is_used = 0; index_is_used < 2; index_is_used++) {
+                char message[100];
+                int is_good = index_of >= 0 && (index_is_used ? index_of < count_of : index_of <= count_of);
+                snprintf(message, sizeof message, "a value from outside an array: element %ld of %ld", index_of,
+                         count_of);
+                ends(element, &in_rationals, is_good ? CAGD_CODE_FINISHED : CAGD_CODE_REFUSED, message);
+            }
+}
+
+/* Two objects, at 100 and at 1100, and one of the libraries at 2000: where steps from one address to another lead. */
+static char places[4096];
+static const struct walk {
+    int from[3], to[3], reached; /* -1: no step, or nothing is read at last */
+    const char *message;         /* NULL: none */
+} * walked,
+    walks[] = {{{100, -1}, {108, -1}, 108, NULL},
+               {{100, -1}, {116, -1}, -1, NULL},
+               {{100, -1},
+                {116, -1},
+                116,
+                "a value from outside an array: 0 bytes behind the end of first, which has 16 bytes"},
+               {{100, -1},
+                {92, -1},
+                92,
+                "a value from outside an array: 8 bytes before the beginning of first, which has 16 bytes"},
+               {{100, -1}, {600, -1}, -1, NULL},
+               {{100, -1},
+                {600, -1},
+                600,
+                "a value from outside an array: 484 bytes behind the end of first, which has 16 bytes"},
+               {{1100, -1},
+                {600, -1},
+                600,
+                "a value from outside an array: 500 bytes before the beginning of second, which has 32 bytes"},
+               {{100, 600, -1}, {600, 108, -1}, 108, NULL}, /* back again */
+               {{100, 600, 604}, {600, 604, 112}, 112, NULL},
+               {{100, 600, -1},
+                {600, 1100, -1},
+                -1,
+                "an address far outside an array: 984 bytes behind the end of first, which has 16 bytes"},
+               {{100, -1},
+                {1100, -1},
+                -1,
+                "an address far outside an array: 984 bytes behind the end of first, which has 16 bytes"},
+               {{1100, -1},
+                {100, -1},
+                -1,
+                "an address far outside an array: 1000 bytes before the beginning of second, which has 32 bytes"},
+               {{2000, -1}, {100, -1}, -1, "an address far outside an array: computed from one that is in none"},
+               {{2000, -1}, {2008, -1}, 2008, NULL},
+               {{100, 1100, -1}, {600, 600, -1}, -1, "an address far outside of two arrays"},
+               {{100, 100, -1}, {600, 600, -1}, -1, NULL},
+               {{100, 2000, -1}, {600, 600, -1}, 600, NULL}}; /* now of the libraries */
+static void walk(void)
+{
+    static const struct cagd_code_place here = {"a.c", "f", 3};
+    cagd_code_object(places + 100, 16, 8, 16, "first", CAGD_CODE_MEMORY);
+    cagd_code_object(places + 1100, 32, 8, 16, "second", CAGD_CODE_MEMORY);
+    cagd_code_at = &here;
+    for (int k = 0; k < 3 && walked->from[k] > 0; k++)
+        cagd_code_step(places + walked->from[k], places + walked->to[k]);
+    if (walked->reached > 0)
+        cagd_code_reach(places + walked->reached, 4, 0);
+}
+static void many_strays(void)
+{
+    cagd_code_object(places + 100, 16, 8, 16, "first", CAGD_CODE_MEMORY);
+    cagd_code_object(places + 3900, 16, 8, 16, "second", CAGD_CODE_MEMORY);
+    for (int k = 200; k < 3800; k++)
+        cagd_code_step(places + (k % 3 ? 100 : 3900), places + k);
+    for (int k = 200; k < 3800; k++) /* each belongs where it came from */
+        cagd_code_step(places + k, places + (k % 3 ? 100 : 3900));
+}
+static void addresses_belong_where_they_come_from(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof walks / sizeof *walks; k++) {
+        walked = &walks[k];
+        ends(walk, &in_rationals, walked->message == NULL ? CAGD_CODE_FINISHED : CAGD_CODE_REFUSED, walked->message);
+    }
+    ends(many_strays, &in_rationals, CAGD_CODE_FINISHED, "");
+}
+
+static int together[2], is_dead, is_written;
+static void are_compared(void)
+{
+    cagd_code_object(places + 100, 16, 8, 16, "first", CAGD_CODE_MEMORY);
+    cagd_code_object(places + 1100, 32, 8, 16, "second", CAGD_CODE_MEMORY);
+    cagd_code_together(together[0] ? places + together[0] : NULL, together[1] ? places + together[1] : NULL);
+}
+static void addresses_of_two_objects_have_no_order(void **state)
+{
+    (void)state;
+    static const struct {
+        int a, b, refused;
+    } list[] = {{100, 108, 0}, {100, 1100, 1}, {1108, 104, 1}, {100, 2000, 1}, {2000, 3000, 0},
+                {0, 100, 0},   {100, 0, 0},    {100, 100, 0},  {1100, 1132, 0}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        for (int one_object = 0; one_object < 2; one_object++) {
+            const struct cagd_code_job job = {.numbers = CAGD_CODE_RATIONAL, .one_object = one_object};
+            together[0] = list[k].a, together[1] = list[k].b;
+            ends(are_compared, &job, one_object && list[k].refused ? CAGD_CODE_REFUSED : CAGD_CODE_FINISHED,
+                 "addresses of different arrays are compared");
+        }
+}
+
+/* What is said of objects with and without a name, and with the place at which they were made. */
+static const char *object_name;
+static int object_has_place;
+static enum cagd_code_life object_life;
+static void put_outside(void)
+{
+    static const struct cagd_code_place here = {"a.c", "f", 3};
+    cagd_code_at = object_has_place ? &here : NULL;
+    cagd_code_object(places + 100, 16, 8, 16, object_name, object_life);
+    if (is_dead)
+        cagd_code_memory_dies(places + 100, release);
+    cagd_code_reach(places + 100 + (is_dead ? 4 : 16), 4, is_written);
+}
+static void objects_are_called_by_their_names(void **state)
+{
+    (void)state;
+    for (int named = 0; named < 3; named++)
+        for (object_has_place = 0; object_has_place < 2; object_has_place++)
+            for (int memory = 0; memory < 2; memory++)
+                for (is_written = 0; is_written < 2; is_written++)
+                    for (is_dead = 0; is_dead <= memory; is_dead++) {
+                        char what[50], wanted[200];
+                        object_name = named == 2 ? "it" : named == 1 ? "" : NULL;
+                        object_life = memory ? CAGD_CODE_MEMORY : CAGD_CODE_GLOBAL;
+                        snprintf(what, sizeof what, "%s%s",
+                                 named == 2         ? "it"
+                                 : !memory          ? "a variable"
+                                 : object_has_place ? "the memory"
+                                                    : "memory",
+                                 named < 2 && object_has_place ? " of a.c:3" : "");
+                        if (is_dead)
+                            snprintf(wanted, sizeof wanted,
+                                     "%s memory that was given back: 4 bytes from byte 4 of %s on, which has 16 bytes",
+                                     is_written ? "something is put into" : "a value from", what);
+                        else
+                            snprintf(wanted, sizeof wanted,
+                                     "%s outside an array: 0 bytes behind the end of %s, which has 16 bytes",
+                                     is_written ? "something is put" : "a value from", what);
+                        ends(put_outside, &in_rationals, CAGD_CODE_REFUSED, wanted);
+                    }
+}
+
+/* The first variable of static storage that is put into is told of, by the code and by others. */
+static const struct kept {
+    const char *name, *called;
+    int by_code, entered;
+} * kept_now,
+    kept[] = {
+        {"n", "n", 1, 1},       {"f.calls", "calls", 1, 1}, {"f.calls.2", "calls", 1, 1}, {"calls.12", "calls", 1, 1},
+        {"a.b.c3", "c3", 1, 1}, {"n", "n", 0, 1},           {"f.calls.2", "calls", 0, 1}, {"n", "", 1, 0},
+        {"n", "", 2, 1}};
+static void put_into_static(void)
+{
+    static const struct cagd_code_place here = {"a.c", "f", 7};
+    static char one[16], two[16], three[8];
+    cagd_code_at = &here;
+    cagd_code_global(one, sizeof one, 0, "untouched");
+    cagd_code_global(two, sizeof two, 0, kept_now->name);
+    cagd_code_global(three, sizeof three, 0, "later");
+    if (kept_now->entered)
+        cagd_code_watch_globals();
+    if (kept_now->by_code == 1) {
+        cagd_code_reach(two + 8, 8, 1);
+        cagd_code_reach(three, 8, kept_now->entered);
+    } else if (kept_now->by_code == 0) {
+        two[15] = 1;
+    } else {
+        cagd_code_reach(two + 8, 8, 0);
+    }
+    if (kept_now->entered)
+        cagd_code_compare_globals();
+}
+static void what_is_kept_is_told(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) {
+        kept_now = &kept[k];
+        struct cagd_code_outcome *o = outcome_of(put_into_static, &in_rationals);
+        assert_int_equal(o->end, CAGD_CODE_FINISHED);
+        assert_string_equal(o->kept, kept[k].called);
+        assert_int_equal(o->kept_line, kept[k].by_code == 1 && kept[k].entered ? 7 : 0);
+        cagd_code_outcome_free(o);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(nothing_is_divided_by_zero),
@@ -755,6 +955,11 @@ int main(void)
                                        unit(what_is_said_to_be_zero_is_zero),
                                        unit(objects_have_their_margins),
                                        unit(variables_end_with_their_function),
+                                       unit(indices_are_those_of_the_array),
+                                       unit(addresses_belong_where_they_come_from),
+                                       unit(addresses_of_two_objects_have_no_order),
+                                       unit(objects_are_called_by_their_names),
+                                       unit(what_is_kept_is_told),
                                        unit(memory_goes_back_to_the_system)};
     return run_unit_tests(tests);
 }

@@ -118,15 +118,12 @@ double e_exponent(void) { return pow(2, sqrt(2)); }
 double e_power_of_a_root(void) { return pow(sqrt(2), 3); }
 /* ! an enclosure does not decide a comparison */
 double e_logb(void) { return logb(sqrt(2) - sqrt(2)); }
+/* The same angle in two ways, of which each enclosure has its own ends: that of its sine has to have both. */
 /* ! an enclosure does not decide a comparison */
-double e_sine_in_two_ways_3(void) { double x = sin(sqrt(18)), y = sin(3 * sqrt(2)); return x < y || x > y; }
+double e_sine_of_45_in_two_ways(void) { double x = sin(sqrt(4050)), y = sin(45 * sqrt(2)); return x < y || x > y; }
 /* ! an enclosure does not decide a comparison */
-double e_sine_in_two_ways_5(void) { double x = sin(sqrt(50)), y = sin(5 * sqrt(2)); return x < y || x > y; }
+double e_sine_of_85_in_two_ways(void) { double x = sin(sqrt(14450)), y = sin(85 * sqrt(2)); return x < y || x > y; }
 /* ! an enclosure does not decide a comparison */
-double e_sine_in_two_ways_6(void) { double x = sin(sqrt(72)), y = sin(6 * sqrt(2)); return x < y || x > y; }
+double e_cosine_of_45_in_two_ways(void) { double x = cos(sqrt(4050)), y = cos(45 * sqrt(2)); return x < y || x > y; }
 /* ! an enclosure does not decide a comparison */
-double e_sine_in_two_ways_7(void) { double x = sin(sqrt(98)), y = sin(7 * sqrt(2)); return x < y || x > y; }
-/* ! an enclosure does not decide a comparison */
-double e_sine_in_two_ways_11(void) { double x = sin(sqrt(242)), y = sin(11 * sqrt(2)); return x < y || x > y; }
-/* ! an enclosure does not decide a comparison */
-double e_sine_in_two_ways_13(void) { double x = sin(sqrt(338)), y = sin(13 * sqrt(2)); return x < y || x > y; }
+double e_cosine_of_85_in_two_ways(void) { double x = cos(sqrt(14450)), y = cos(85 * sqrt(2)); return x < y || x > y; }
