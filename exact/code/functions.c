@@ -447,8 +447,15 @@ static double rest(double x, double y, enum cagd_code_rounding how)
         return fmod(a.special ? a.d : cagd_code_real(a), b.special ? b.d : cagd_code_real(b));
     value n = cagd_code_whole(cagd_code_quotient(a, b), how);
     value v = cagd_code_difference(a, cagd_code_product(n, b));
-    if (rounding())
+    if (rounding()) { /* x^ - n^ y^, which is no rounded number; (x^ - n y^) - (x - n y) = (x^ - x) - n (y^ - y) */
         v.d = how == CAGD_CODE_TRUNC ? fmod(a.d, b.d) : remainder(a.d, b.d);
+        v.shares = 0;
+        double other = 0;
+        if (isfinite(v.d) && isfinite(b.d))
+            other = cagd_to_double_q(cagd_sub_q(cagd_sub_q(cagd_from_double_q(v.d), cagd_from_double_q(a.d)),
+                                                cagd_neg_q(cagd_mul_q(n.q, cagd_from_double_q(b.d)))));
+        cagd_code_shared(&v, a, 1, b, -cagd_to_double_q(n.q), other);
+    }
     return number(v);
 }
 double cagd_code_lib_fmod(double x, double y) { return rest(x, y, CAGD_CODE_TRUNC); }

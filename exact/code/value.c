@@ -515,7 +515,7 @@ cagd_code_value cagd_code_square_root(cagd_code_value a)
     if (job->numbers == CAGD_CODE_ROUNDING) {
         double twice = v.d + cagd_code_real(v);
         cagd_code_shared(&v, a, twice != 0 ? 1 / twice : 0, (cagd_code_value){0}, 0,
-                         v.d != 0 ? -fma(v.d, v.d, -a.d) / (2 * v.d) : 0);
+                         v.d != 0 ? fma(v.d, v.d, -a.d) / (2 * v.d) : 0);
         cagd_code_note_made(&v, 'r', a, a);
     }
     return v;

@@ -734,6 +734,96 @@ static void memory_goes_back_to_the_system(void **state)
     ends(give_back, &in_rationals, CAGD_CODE_FINISHED, "");
 }
 
+/* ---- what rounding costs in functions -------------------------------------------------------------------------- */
+
+#define FUNCTIONS(F)                                                                                                   \
+    F(fabs)                                                                                                            \
+    F(sqrt)                                                                                                            \
+    F(cbrt) F(exp) F(exp2) F(expm1) F(log) F(log2) F(log10) F(log1p) F(sin) F(cos) F(tan) F(asin) F(acos) F(atan)      \
+        F(sinh) F(cosh) F(tanh) F(floor) F(ceil) F(trunc) F(round) F(rint)
+#define PROTOTYPE(name) double cagd_code_lib_##name(double x);
+FUNCTIONS(PROTOTYPE)
+#undef PROTOTYPE
+double cagd_code_lib_fmin(double x, double y), cagd_code_lib_fmax(double x, double y),
+    cagd_code_lib_fdim(double x, double y);
+double cagd_code_lib_copysign(double x, double y), cagd_code_lib_fmod(double x, double y),
+    cagd_code_lib_remainder(double x, double y);
+double cagd_code_lib_hypot(double x, double y), cagd_code_lib_atan2(double x, double y),
+    cagd_code_lib_fma(double x, double y, double z);
+double cagd_code_lib_ldexp(double x, int n), cagd_code_lib_frexp(double x, int *n),
+    cagd_code_lib_modf(double x, double *whole);
+
+/* The binary64 less the exact number is the sum of what arose at each line, but for a rounding of the function itself where it is allowed; and
+ * the binary64 is that of the C library. */
+static void shares_are(double number, double computed, double allowed)
+{
+    cagd_code_value v = cagd_code_value_of(number);
+    double sum = 0, size = 0, error;
+    for (int k = 0; k < v.shares; k++)
+        sum += v.share[k].amount, size += fabs(v.share[k].amount);
+    if (v.q.at != NULL)
+        error = to_double_q(cagd_sub_q(from_double_q(v.d), v.q));
+    else
+        error = cagd_code_real(cagd_code_enclosed(cagd_sub_i(cagd_from_double_i(v.d), v.i)));
+    check(v.d == computed);
+    if (!(fabs(sum - error) <= 1e-6 * size + allowed * fabs(computed) * 0x1p-52))
+        cagd_code_stop(CAGD_CODE_CRASHED, "%.17g: %g of %g", computed, sum, error);
+}
+static int from_line;
+static double quotient(int p, int q)
+{
+    static const struct cagd_code_place place[] = {{"a.c", "f", 1}, {"a.c", "f", 2}, {"a.c", "f", 3}, {"a.c", "f", 4}};
+    cagd_code_at = &place[from_line++ % 4];
+    double made = cagd_code_div(p, q);
+    cagd_code_at = &place[from_line % 4];
+    return made;
+}
+static void costs_of_functions(void)
+{
+    static const int list[][2] = {{1, 3}, {-1, 3}, {2, 7}, {-5, 11}, {27, 49}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        int p = list[k][0], q = list[k][1], n;
+        double a = quotient(p, q), b = quotient(5, 7), c = quotient(-3, 13), u = (double)p / q, v = 5. / 7,
+               w = -3. / 13, whole;
+#define ONE(name)                                                                                                      \
+    if (isfinite(name(u)))                                                                                             \
+        shares_are(cagd_code_lib_##name(a), name(u), 1);
+        FUNCTIONS(ONE)
+#undef ONE
+        shares_are(cagd_code_lib_fmin(a, b), fmin(u, v), 0);
+        shares_are(cagd_code_lib_fmax(a, b), fmax(u, v), 0);
+        shares_are(cagd_code_lib_fdim(b, a), fdim(v, u), 0);
+        shares_are(cagd_code_lib_copysign(a, c), copysign(u, w), 0);
+        shares_are(cagd_code_lib_fmod(cagd_code_mul(a, 7), b), fmod(u * 7, v), 0);
+        shares_are(cagd_code_lib_remainder(cagd_code_mul(a, 7), b), remainder(u * 7, v), 0);
+        shares_are(cagd_code_lib_sqrt(b), sqrt(v), 0);
+        shares_are(cagd_code_lib_hypot(a, b), sqrt(u * u + v * v), 0);
+        shares_are(cagd_code_lib_atan2(a, b), atan(u / v), 1);
+        shares_are(cagd_code_lib_fma(a, b, c), fma(u, v, w), 0);
+        shares_are(cagd_code_lib_fma(a, b, cagd_code_neg(cagd_code_mul(a, b))), fma(u, v, -(u * v)), 0);
+        shares_are(cagd_code_lib_ldexp(a, 30), ldexp(u, 30), 0);
+        shares_are(cagd_code_lib_frexp(a, &n), frexp(u, &n), 0);
+        shares_are(cagd_code_lib_modf(cagd_code_mul(a, 7), &whole), modf(u * 7, &v), 0);
+        shares_are(cagd_code_power(a, 5), u * ((u * u) * (u * u)), 0);
+        shares_are(cagd_code_power(a, -2), 1 / (u * u), 0);
+        shares_are(cagd_code_widen(cagd_code_narrow(a)), (double)(float)u, 0);
+        shares_are(cagd_code_neg(a), -u, 0);
+        shares_are(cagd_code_sub(cagd_code_mul(a, 3), b), u * 3 - 5. / 7, 0);
+    }
+    for (int k = 50; k < 64; k++)
+        for (int d = -3; d <= 3; d++) {
+            uint64_t n = ((uint64_t)1 << k) + (uint64_t)d;
+            shares_are(cagd_code_from_unsigned(n), (double)n, 0);
+            if (k < 63)
+                shares_are(cagd_code_from_signed(-(int64_t)n), -(double)n, 0);
+        }
+}
+static void functions_pass_errors_on(void **state)
+{
+    (void)state;
+    ends(costs_of_functions, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
+}
+
 /* Elements and the one behind the last, of which only the address is taken. */
 static long index_of, count_of;
 static int index_is_used;
@@ -955,6 +1045,7 @@ int main(void)
                                        unit(what_is_said_to_be_zero_is_zero),
                                        unit(objects_have_their_margins),
                                        unit(variables_end_with_their_function),
+                                       unit(functions_pass_errors_on),
                                        unit(indices_are_those_of_the_array),
                                        unit(addresses_belong_where_they_come_from),
                                        unit(addresses_of_two_objects_have_no_order),
