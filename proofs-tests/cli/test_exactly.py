@@ -333,6 +333,13 @@ double f(double x, double y)
         block, code = self.known(False, "code.c:7 = y * x + 1")  # wrongly known: the result is right
         v = self.verdict(block, code)
         self.assertEqual((v["verdict"], v["first_wrong"]["place"]), ("differs", "code.c:7"))
+        block, code = self.known(False, "ode.c:8[3] = W")  # the end of a name is another name
+        v = self.verdict(block, code)
+        self.assertEqual(v["verdict"], "undecided")
+        self.assertIn("ode.c:8 puts 0 numbers into variables on this way; 3 are known", v["because"])
+        block, code = self.known(False, f"{self.folder.name}/code.c:8[3] = W", "code.c:6[3] = V")
+        block = block.replace(":call: double W", ":call: double V[3] = {y * x, (y * x) * x, ((y * x) * x + 1) * x};\n:call: double W")
+        self.assertEqual(self.verdict(block, code)["verdict"], "proved")
         block, code = self.known(False, "code.c:8[4] = W")
         v = self.verdict(block, code)
         self.assertEqual(v["verdict"], "undecided")
@@ -608,6 +615,31 @@ void curve(const double *u, const double *P, const double *w, double t, double *
                 with self.subTest(f"{sign} {other}"):
                     v = self.of(code, "x", "double s = f(x);", f":output: s\n:let: h(y) = 1, \\quad y {tex} 2\n:let: h(y) = 0\n:printed: s = h(x)")
                     self.assertEqual(v["verdict"], "proved" if sign == other else "differs")
+
+    def test_elements_of_two_digits_and_of_one(self):
+        code = "double f(const double *p) { return p[0] + 2 * p[1] + 3 * p[10] + 4 * p[11]; }"
+        for printed, verdict in [("s = p_0 + 2p_1 + 3p_{10} + 4p_{11}", "proved"), ("s = p_0 + 2p_1 + 3p_{11} + 4p_{10}", "differs"), ("s = p_{10} + 2p_1 + 3p_0 + 4p_{11}", "differs"),
+                                 ("s = \\sum_{i=0}^1 (i+1) p_i + \\sum_{i=10}^{11} (i-7) p_i", "proved"), ("s = p_0 + 2p_1 + 3p_{10} + 4p_{12}", "undecided")]:
+            with self.subTest(printed):
+                self.assertEqual(self.of(code, "p[12]", "double s = f(p);", f":output: s\n:printed: {printed}")["verdict"], verdict)
+
+    def test_arrays_of_outputs_and_several_ranges(self):
+        """Every case of every range, the later ones depending on the earlier; each is told by its letters."""
+        code = "void f(const double *p, double *r) { for (int k = 0; k < 12; k++) r[k] = p[k / 4] * (k % 4); }"
+        lines = ":output: r[12]\n:printed: r_{4i+j} = %s\n:for: i = 0..2\n:for: j = %s"
+        v = self.of(code, "p[3]", "double r[12]; f(p, r);", lines % ("j p_i", "0..3"))
+        self.assertEqual(v["verdict"], "proved")
+        for wrong in ["j p_i + (i-0)(i-1)(j-0)(j-1)(j-2)", "j p_i + (i-1)(i-2)(j-1)(j-2)(j-3)", "j p_0 + i(i-1)(i-2)"]:  # in one case alone
+            with self.subTest(wrong):
+                self.assertEqual(self.of(code, "p[3]", "double r[12]; f(p, r);", lines % (wrong, "0..3"))["verdict"], "differs")
+        v = self.of(code, "p[3] = 1 2 3", "double r[12]; f(p, r);", lines % ("j p_i", "i..3"))
+        self.assertEqual([r["name"] for r in v["results"] if "expected" in r], [f"r_{{4i+j}}, i = {i}, j = {j}" for i in range(3) for j in range(i, 4)])
+
+    def test_what_is_no_number_in_a_formula(self):
+        for given in ["HUGE_VAL", "NAN"]:
+            v = self.verdict(f":::{{exactly}} it\n:include: <math.h>\n:input: x\n:call: double s = {given};\n:output: s\n:printed: s = x\n:::\n")
+            self.assertEqual(v["verdict"], "undecided")
+            self.assertRegex(v["because"], "s is an infinity or no number, at .*page.md:8 in the formula")
 
     def test_several_equations(self):
         code = "double f(double x) { return 2 * x; }"

@@ -56,6 +56,12 @@ static void inputs_have_the_shapes_that_are_written(void **state)
         {"x[4] nondecreasing", "x", NULL, NULL, 4, 0, 0, CAGD_CODE_NONDECREASING},
         {"x = 3/4", "x", NULL, NULL, 0, 0, 0, CAGD_CODE_FIXED},
         {"x[2] = 1 -2", "x", NULL, NULL, 2, 0, 0, CAGD_CODE_FIXED},
+        {"x[2] = 1,-2", "x", NULL, NULL, 2, 0, 0, CAGD_CODE_FIXED},
+        {"x[2]=1 ,\t-2", "x", NULL, NULL, 2, 0, 0, CAGD_CODE_FIXED},
+        {"x >0", "x", NULL, NULL, 0, 0, 0, CAGD_CODE_POSITIVE},
+        {"x>  0", "x", NULL, NULL, 0, 0, 0, CAGD_CODE_POSITIVE},
+        {"_x_1[3]\tincreasing", "_x_1", NULL, NULL, 3, 0, 0, CAGD_CODE_INCREASING},
+        {"x in [b[0], a)", "x", "b[0]", "a", 0, 0, 1, CAGD_CODE_BETWEEN},
     };
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         char line[100];
@@ -175,6 +181,110 @@ static void mistakes_have_their_lines(void **state)
         assert_null(cagd_code_read_harness(text, &error));
         if (error.line != list[k].line || strstr(error.cause, list[k].cause) == NULL)
             fail_msg("%s: line %d: %s", list[k].lines, error.line, error.cause);
+    }
+}
+
+/* Of each key 64 lines are read and no more; of inputs 64. */
+static void there_is_room_for_so_many_lines(void **state)
+{
+    (void)state;
+    static const char *const keys[] = {"source", "include", "declare", "where",   "output", "expect",
+                                       "known",  "let",     "use",     "printed", "call",   "flag"};
+    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
+        for (int many = 62; many <= 65; many++) {
+            char *text = NULL;
+            size_t size;
+            FILE *out = open_memstream(&text, &size);
+            int is_flag = strcmp(keys[k], "flag") == 0, is_call = strcmp(keys[k], "call") == 0;
+            fprintf(out, ":::{exactly} it\n:input: x\n%s%s", is_call ? "" : ":call: double r = x;\n",
+                    strcmp(keys[k], "output") == 0 ? "" : ":output: r\n");
+            if (strcmp(keys[k], "let") == 0 || strcmp(keys[k], "use") == 0)
+                fputs(":printed: r = x\n", out);
+            if (is_flag)
+                fputs(":flag:", out);
+            for (int j = 0; j < many; j++)
+                fprintf(out,
+                        is_flag                           ? " -D%s%d"
+                        : strcmp(keys[k], "known") == 0   ? ":%s: a.c:%d = 1\n"
+                        : strcmp(keys[k], "let") == 0     ? ":%s: h_{%d} = 1\n"
+                        : strcmp(keys[k], "use") == 0     ? ":%s: bernstein B_i^n(t)\n"
+                        : strcmp(keys[k], "printed") == 0 ? ":%s: r = %d x\n"
+                        : strcmp(keys[k], "output") == 0  ? ":%s: r\n"
+                                                          : ":%s: r = %d\n",
+                        keys[k], j);
+            fputs(is_flag ? "\n:::\n" : ":::\n", out);
+            fclose(out);
+            struct cagd_code_harness_error error = {.line = 0, .cause = ""};
+            struct cagd_code_harness *h = cagd_code_read_harness(text, &error);
+            if (many == 65) {
+                assert_null(h);
+                assert_string_equal(error.cause, "more than 64 lines of one key");
+            } else if (h == NULL && strcmp(keys[k], "let") != 0 && strcmp(keys[k], "use") != 0) {
+                fail_msg("%s, %d: %s", keys[k], many, error.cause);
+            }
+            cagd_code_harness_free(h);
+            free(text);
+        }
+    for (int many = 64; many <= 65; many++) {
+        char text[1000] = ":::{exactly} it\n:call: f();\n:output: a0\n:input: ";
+        struct cagd_code_harness_error error;
+        for (int k = 0; k < many; k++)
+            snprintf(text + strlen(text), sizeof text - strlen(text), "a%d;", k);
+        strcat(text, "\n:::\n");
+        struct cagd_code_harness *h = cagd_code_read_harness(text, &error);
+        assert_int_equal(h != NULL, many == 64);
+        if (h == NULL)
+            assert_string_equal(error.cause, "more than 64 inputs");
+        cagd_code_harness_free(h);
+    }
+}
+
+/* Which texts are arrays, and which have a name. */
+static void outputs_are_arrays_or_numbers(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int is_array, is_name;
+        long count;
+    } list[] = {{"R", 0, 1, 0},
+                {"R[3]", 1, 1, 3},
+                {"R[1000]", 1, 1, 1000},
+                {"R[1]", 1, 1, 1},
+                {"s.R[3]", 0, 0, 0},
+                {"(R[3])", 0, 0, 0},
+                {"R[k]", 0, 0, 0},
+                {"p->R[3]", 0, 0, 0},
+                {"R[2][3]", 0, 0, 0},
+                {"f(x)[3]", 0, 0, 0},
+                {"R[3]+1", 0, 0, 0},
+                {"R + 1", 0, 0, 0},
+                {"3R", 0, 0, 0},
+                {"", 0, 0, 0},
+                {"_a9", 0, 1, 0},
+                {"elevenlette", 0, 1, 0},
+                {"twelveletter", 0, 0, 0},
+                {"R[3", 0, 0, 0},
+                {"R]", 0, 0, 0},
+                {"-R[3]", 0, 0, 0}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        long count;
+        int elements;
+        char name[CAGD_CODE_MOST_NAME + 1];
+        if (cagd_code_is_array(list[k].text, &count) != list[k].is_array ||
+            (list[k].is_array && count != list[k].count))
+            fail_msg("%s", list[k].text);
+        if (cagd_code_output_name(list[k].text, name, &elements) != list[k].is_name ||
+            (list[k].is_name && elements != list[k].count))
+            fail_msg("%s", list[k].text);
+        if (list[k].is_name)
+            assert_int_equal(strncmp(name, list[k].text, strlen(name)), 0);
+    }
+    static const char *const trimmed[] = {" a b ", "a b", "\t\na", "a", "", "", "  ", "", "a", "a"};
+    for (size_t k = 0; k < sizeof trimmed / sizeof *trimmed; k += 2) {
+        char *text = cagd_code_trimmed(trimmed[k], strlen(trimmed[k]));
+        assert_string_equal(text, trimmed[k + 1]);
+        free(text);
     }
 }
 
@@ -600,6 +710,8 @@ int main(void)
                                        unit(numbers),
                                        unit(names_in_formulas),
                                        unit(mistakes_have_their_lines),
+                                       unit(there_is_room_for_so_many_lines),
+                                       unit(outputs_are_arrays_or_numbers),
                                        unit(texts_that_are_no_blocks),
                                        unit(blocks_say_what_they_ask),
                                        unit(the_driver_is_what_the_block_says),
