@@ -73,7 +73,10 @@ static int rounding(void) { return cagd_code_machine.job->numbers == CAGD_CODE_R
 /* Whether v is that integer, whatever the variables are. */
 static int is_just(value v, long n)
 {
-    return !v.special && v.f.at == NULL && v.q.at != NULL && cagd_equal_q(v.q, cagd_from_int_q(n));
+    cagd_num_q q = v.q;
+    if (v.special || (v.f.at != NULL && !cagd_is_constant_f(v.f, &q)))
+        return 0;
+    return q.at != NULL && cagd_equal_q(q, cagd_from_int_q(n));
 }
 
 static int is_nan(value v) { return v.special && isnan(v.d); }

@@ -132,3 +132,53 @@ double f_all_of_fmin(void) { return fmin(input_y(), input_x()); }
 double f_all_of_fdim(void) { return fdim(input_x(), input_y()); }
 /* ~ 2 * x | x > y | x+y < 0 | */
 double f_all_of_two(void) { double x = input_x(), y = input_y(); return x - y > 0 && x + y < 0 ? 2 * x : 0; }
+/* ---- roots: what they are, and under which conditions ---- */
+
+/* e where the root's square is e, else 0. */
+static double squared(double e) { double r = sqrt(e), z = r * r; return z == e ? e : 0; }
+/* ~ x * x + 1 | | */
+double f_root_of_squares(void) { return squared(input_x() * input_x() + 1); }
+/* ~ x ** 2 * y ** 4 + 3 | | */
+double f_root_of_products_of_squares(void) { double x = input_x(), y = input_y(); return squared(x * x * y * y * y * y + 3); }
+/* ~ (x * x + 2) / (y * y + 1) | | */
+double f_root_of_a_quotient_of_squares(void) { double x = input_x(), y = input_y(); return squared((x * x + 2) / (y * y + 1)); }
+/* ~ x * x + y + 5 | x^2+y+5 >= 0 | */
+double f_root_with_an_odd_power(void) { double x = input_x(), y = input_y(); return squared(x * x + y + 5); }
+/* ~ x * x * y * y - x * y + 3 | x^2*y^2-x*y+3 >= 0 | */
+double f_root_with_an_odd_product(void) { double x = input_x(), y = input_y(); return squared(x * x * y * y - x * y + 3); }
+/* ~ 5 - x * x | -x^2+5 >= 0 | */
+double f_root_of_a_difference(void) { return squared(5 - input_x() * input_x()); }
+/* ! the square root of a negative number */
+double f_root_of_what_is_negative(void) { return squared(-input_x() * input_x() - 1); }
+/* ~ x | x >= 0 | */
+double f_root_that_is_a_function(void) { return sqrt(input_x() * input_x()); }
+/* ~ -y | -y >= 0 | */
+double f_root_that_is_a_negative_function(void) { return sqrt(input_y() * input_y()); }
+/* ~ x + 3 */
+double f_root_to_the_third(void) { double e = input_x() + 3, r = sqrt(e), z = r * r * r, w = e * r; return z == w ? e : 0; }
+/* ~ (x + 3) * (y + 4) */
+double f_two_roots(void) { double a = input_x() + 3, b = input_y() + 4, r = sqrt(a) * sqrt(b), z = r * r; return z == a * b ? a * b : 0; }
+/* ~ x + 3 */
+double f_root_of_a_root(void) { double e = input_x() + 3, s = sqrt(sqrt(e) + 1), z = (s * s - 1) * (s * s - 1); return z == e ? e : 0; }
+/* ~ 2 */
+double f_roots_that_are_not_equal(void) { double a = sqrt(input_x() + 3), b = sqrt(input_x() + 4); return a == b || a == -a ? 0 : 2; }
+/* ~ x */
+double f_root_of_a_number(void) { double r = sqrt(9.0 / 4); return r == 1.5 ? input_x() : 0; }
+/* ~ 1 / (x + 3) */
+double f_root_in_a_denominator(void) { double e = input_x() + 3, r = sqrt(e), z = 1 / r / r; return z == 1 / e ? 1 / e : 0; }
+/* ~ 0 */
+double f_sines_of_two_angles(void) { double a = sin(input_x()), b = sin(input_y()), c = cos(input_y()); return a == b || b == c; }
+/* ~ 1 */
+double f_sines_of_one_angle(void) { double a = sin(input_x() + input_y()), b = sin(input_y() + input_x()), c = cos(2 * input_x()), d = cos(input_x() + input_x()); return a == b && c == d; }
+/* ~ 1 + y */
+double f_cosine_of_no_angle(void) { return cos(input_x() - input_x()) + sin(input_x() * 0) + input_y(); }
+/* ! an angle that is not rational */
+double f_sine_of_a_root(void) { return sin(sqrt(input_x() + 3)); }
+/* ! cbrt of a number */
+double f_cube_root(void) { return cbrt(input_x()); }
+/* ! frexp of an interval */
+double f_frexp_of_a_root(void) { int e; return frexp(sqrt(input_x() + 3), &e); }
+/* ! an enclosure does not decide */
+double f_whole_of_a_root(void) { double r = sqrt(input_x() + 3); return floor(r * r - input_x()); }
+/* ~ 2 + y */
+double f_functions_of_what_is_always_0_or_1(void) { double x = input_x(), o = x - x, e = x / x; return exp(o) + cosh(o) + log(e) + acos(e) + atan(o) + sinh(o) + log1p(o) + expm1(o) + atan2(o, 1) + input_y(); }
