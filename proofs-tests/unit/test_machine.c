@@ -642,6 +642,87 @@ static void what_is_said_to_be_zero_is_zero(void **state)
     ends(zeros, &in_field, CAGD_CODE_FINISHED, "");
 }
 
+/* Each variable in which a function is linear with a number before it can be solved for, wherever it stands among others. */
+static void solved(void)
+{
+    two_variables(1, 2);
+    num_f z = cagd_code_variable("z", from_int_q(3)).f, v[] = {x, y, z}, variable, value;
+    for (int k = 0; k < 3; k++) {
+        num_f a = v[(k + 1) % 3], b = v[(k + 2) % 3];
+        num_f f = sub_f(mul_f(from_int_f(-3), v[k]), add_f(mul_f(a, a), mul_f(a, mul_f(b, b)))); /* -3v = a^2 + a b^2 */
+        check(cagd_code_solve(f, &variable, &value) && cagd_equal_f(variable, v[k]));
+        check(cagd_is_zero_f(cagd_substitute_f(f, variable, value)));
+        f = mul_f(v[k], add_f(a, from_int_f(1))); /* what stands before it is no number */
+        check(!cagd_code_solve(f, &variable, &value));
+        check(!cagd_code_solve(mul_f(v[k], v[k]), &variable, &value));
+    }
+    check(!cagd_code_solve(from_int_f(5), &variable, &value));
+    num_q at;
+    check(cagd_code_variable_count() == 3);
+    for (int k = 0; k < 3; k++)
+        check(cagd_equal_f(cagd_code_variable_at(k, &at), v[k]) && cagd_equal_q(at, from_int_q(k + 1)));
+    cagd_code_variable("y", from_int_q(2)); /* the same once more */
+    check(cagd_code_variable_count() == 3);
+    check(cagd_equal_q(cagd_code_at_point(div_f(sub_f(x, z), add_f(y, from_int_f(1)))), from_ratio_q(-2, 3)));
+    num_f r = cagd_code_new_root(add_f(x, from_int_f(1)), cagd_code_enclosed(cagd_root_i(2, cagd_from_int_i(2))), 1).f;
+    num_f s = cagd_code_new_root(add_f(x, from_int_f(1)), cagd_code_enclosed(cagd_root_i(2, cagd_from_int_i(2))), 0).f,
+          t = cagd_code_new_root(add_f(x, from_int_f(1)), cagd_code_enclosed(cagd_root_i(2, cagd_from_int_i(2))), 1).f;
+    check(cagd_equal_f(r, t) && !cagd_equal_f(r, s));
+    num_f without[] = {x, mul_f(x, y), div_f(x, z), from_int_f(2)},
+          with[] = {r, mul_f(x, r), div_f(x, r), add_f(x, s), div_f(r, z)};
+    for (int k = 0; k < 4; k++)
+        check(!cagd_code_has_others(without[k]));
+    for (int k = 0; k < 5; k++)
+        check(cagd_code_has_others(with[k]) && cagd_code_at_point(with[k]).at == NULL);
+    check(cagd_code_has_roots() && cagd_code_enclosed_count() == 2);
+    /* what is 0 by the squares of roots, and what is not */
+    num_f one = from_int_f(1), e = add_f(x, one);
+    num_f zero[] = {sub_f(mul_f(r, r), e),
+                    sub_f(mul_f(r, mul_f(r, r)), mul_f(e, r)),
+                    sub_f(mul_f(s, s), mul_f(r, r)),
+                    div_f(sub_f(mul_f(r, r), e), y),
+                    sub_f(x, x),
+                    sub_f(div_f(one, r), div_f(r, e))};
+    num_f other[] = {r,
+                     sub_f(r, s),
+                     add_f(r, s),
+                     sub_f(mul_f(r, r), x),
+                     sub_f(mul_f(r, s), e),
+                     sub_f(r, one),
+                     sub_f(mul_f(r, mul_f(r, r)), r)};
+    for (int k = 0; k < 6; k++)
+        check(cagd_code_vanishes(zero[k]));
+    for (int k = 0; k < 7; k++)
+        check(!cagd_code_vanishes(other[k]));
+}
+static void functions_are_solved_and_roots_have_their_squares(void **state)
+{
+    (void)state;
+    ends(solved, &in_field, CAGD_CODE_FINISHED, "");
+}
+
+/* What two functions are where others are 0, whatever the order of those conditions. */
+static int conditions_turned;
+static void equal_where(void)
+{
+    two_variables(1, 1);
+    num_f z = cagd_code_variable("z", from_int_q(1)).f;
+    num_f zero[] = {sub_f(x, y), sub_f(mul_f(from_int_f(2), z), add_f(x, y))}; /* x = y, 2z = x + y */
+    for (int k = 0; k < 2; k++)
+        cagd_code_know_sign(zero[conditions_turned ? 1 - k : k], SAME);
+    cagd_code_know_sign(sub_f(x, from_int_f(7)), LESS);
+    check(cagd_code_equal_here(x, y) && cagd_code_equal_here(z, y) && cagd_code_equal_here(mul_f(x, z), mul_f(y, y)));
+    check(cagd_code_vanishes_here(sub_f(x, z)) && cagd_code_vanishes_here(sub_f(mul_f(z, z), mul_f(x, y))));
+    check(!cagd_code_equal_here(x, from_int_f(7)) && !cagd_code_equal_here(x, neg_f(y)) && !cagd_code_vanishes_here(x));
+    check(!cagd_code_vanishes_here(div_f(from_int_f(1), sub_f(x, y)))); /* a pole, where nothing is known */
+}
+static void functions_are_equal_where_others_are_zero(void **state)
+{
+    (void)state;
+    for (conditions_turned = 0; conditions_turned < 2; conditions_turned++)
+        ends(equal_where, &in_field, CAGD_CODE_FINISHED, "");
+}
+
 /* ---- objects ---------------------------------------------------------------------------------------------- */
 
 enum { SIZE = 16, BEFORE = 8, BEHIND = 64 };
@@ -739,8 +820,9 @@ static void memory_goes_back_to_the_system(void **state)
 #define FUNCTIONS(F)                                                                                                   \
     F(fabs)                                                                                                            \
     F(sqrt)                                                                                                            \
-    F(cbrt) F(exp) F(exp2) F(expm1) F(log) F(log2) F(log10) F(log1p) F(sin) F(cos) F(tan) F(asin) F(acos) F(atan)      \
-        F(sinh) F(cosh) F(tanh) F(floor) F(ceil) F(trunc) F(round) F(rint)
+    F(cbrt)                                                                                                            \
+    F(exp) F(exp2) F(expm1) F(log) F(log2) F(log10) F(log1p) F(sin) F(cos) F(tan) F(asin) F(acos) F(atan) F(sinh)      \
+        F(cosh) F(tanh) F(floor) F(ceil) F(trunc) F(round) F(rint)
 #define PROTOTYPE(name) double cagd_code_lib_##name(double x);
 FUNCTIONS(PROTOTYPE)
 #undef PROTOTYPE
@@ -1043,6 +1125,8 @@ int main(void)
                                        unit(a_sign_and_its_opposite_are_one_condition),
                                        unit(signs_follow_from_conditions),
                                        unit(what_is_said_to_be_zero_is_zero),
+                                       unit(functions_are_solved_and_roots_have_their_squares),
+                                       unit(functions_are_equal_where_others_are_zero),
                                        unit(objects_have_their_margins),
                                        unit(variables_end_with_their_function),
                                        unit(functions_pass_errors_on),
