@@ -821,8 +821,9 @@ static void memory_goes_back_to_the_system(void **state)
     F(fabs)                                                                                                            \
     F(sqrt)                                                                                                            \
     F(cbrt)                                                                                                            \
-    F(exp) F(exp2) F(expm1) F(log) F(log2) F(log10) F(log1p) F(sin) F(cos) F(tan) F(asin) F(acos) F(atan) F(sinh)      \
-        F(cosh) F(tanh) F(floor) F(ceil) F(trunc) F(round) F(rint)
+    F(exp)                                                                                                             \
+    F(exp2) F(expm1) F(log) F(log2) F(log10) F(log1p) F(sin) F(cos) F(tan) F(asin) F(acos) F(atan) F(sinh) F(cosh)     \
+        F(tanh) F(floor) F(ceil) F(trunc) F(round) F(rint)
 #define PROTOTYPE(name) double cagd_code_lib_##name(double x);
 FUNCTIONS(PROTOTYPE)
 #undef PROTOTYPE
@@ -837,6 +838,7 @@ double cagd_code_lib_ldexp(double x, int n), cagd_code_lib_frexp(double x, int *
 
 /* The binary64 less the exact number is the sum of what arose at each line, but for a rounding of the function itself where it is allowed; and
  * the binary64 is that of the C library. */
+static double of_size = 1e-6; /* by which the slope of a function is known */
 static void shares_are(double number, double computed, double allowed)
 {
     cagd_code_value v = cagd_code_value_of(number);
@@ -848,7 +850,7 @@ static void shares_are(double number, double computed, double allowed)
     else
         error = cagd_code_real(cagd_code_enclosed(cagd_sub_i(cagd_from_double_i(v.d), v.i)));
     check(v.d == computed);
-    if (!(fabs(sum - error) <= 1e-6 * size + allowed * fabs(computed) * 0x1p-52))
+    if (!(fabs(sum - error) <= of_size * size + allowed * fabs(computed) * 0x1p-52))
         cagd_code_stop(CAGD_CODE_CRASHED, "%.17g: %g of %g", computed, sum, error);
 }
 static int from_line;
@@ -900,10 +902,33 @@ static void costs_of_functions(void)
                 shares_are(cagd_code_from_signed(-(int64_t)n), -(double)n, 0);
         }
 }
+/* Of an argument that is far from exact the error goes through with the slope, where the function has one. */
+static void errors_of_arguments(void)
+{
+    static const struct cagd_code_place here = {"a.c", "f", 1};
+    static const int list[][2] = {{1, 3}, {-1, 3}, {2, 7}, {-5, 11}, {27, 49}, {6, 7}};
+    cagd_code_at = &here;
+    of_size = 0x1p-8;
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        cagd_code_value v = {.q = from_ratio_q(list[k][0], list[k][1])};
+        v.d = (double)list[k][0] / list[k][1] * (1 + 0x1p-16);
+        struct cagd_code_share share = {&here, to_double_q(sub_q(from_double_q(v.d), v.q))};
+        v.share = &share, v.shares = 1;
+        double a = cagd_code_number(v);
+#define ONE(name)                                                                                                      \
+    if (isfinite(name(v.d)))                                                                                           \
+        shares_are(cagd_code_lib_##name(a), name(v.d), 1);
+        FUNCTIONS(ONE)
+#undef ONE
+    }
+    double e = cagd_code_sub(cagd_code_div(1, 3), cagd_code_div(1, 3)); /* 0 */
+    shares_are(cagd_code_lib_exp(e), 1, 0);
+}
 static void functions_pass_errors_on(void **state)
 {
     (void)state;
     ends(costs_of_functions, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
+    ends(errors_of_arguments, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
 }
 
 /* Elements and the one behind the last, of which only the address is taken. */
