@@ -822,8 +822,10 @@ static void memory_goes_back_to_the_system(void **state)
     F(sqrt)                                                                                                            \
     F(cbrt)                                                                                                            \
     F(exp)                                                                                                             \
-    F(exp2) F(expm1) F(log) F(log2) F(log10) F(log1p) F(sin) F(cos) F(tan) F(asin) F(acos) F(atan) F(sinh) F(cosh)     \
-        F(tanh) F(floor) F(ceil) F(trunc) F(round) F(rint)
+    F(exp2)                                                                                                            \
+    F(expm1)                                                                                                           \
+    F(log) F(log2) F(log10) F(log1p) F(sin) F(cos) F(tan) F(asin) F(acos) F(atan) F(sinh) F(cosh) F(tanh) F(floor)     \
+        F(ceil) F(trunc) F(round) F(rint)
 #define PROTOTYPE(name) double cagd_code_lib_##name(double x);
 FUNCTIONS(PROTOTYPE)
 #undef PROTOTYPE
@@ -894,6 +896,8 @@ static void costs_of_functions(void)
         shares_are(cagd_code_neg(a), -u, 0);
         shares_are(cagd_code_sub(cagd_code_mul(a, 3), b), u * 3 - 5. / 7, 0);
     }
+    /* exactly, though the product alone would be rounded */
+    shares_are(cagd_code_lib_fma(1 + 0x1p-30, 1 - 0x1p-30, -1), -0x1p-60, 0);
     for (int k = 50; k < 64; k++)
         for (int d = -3; d <= 3; d++) {
             uint64_t n = ((uint64_t)1 << k) + (uint64_t)d;
@@ -902,6 +906,52 @@ static void costs_of_functions(void)
                 shares_are(cagd_code_from_signed(-(int64_t)n), -(double)n, 0);
         }
 }
+/* Of a result what is told: its error in ulps, and the line with most of it, whatever the signs. */
+static void told_results(void)
+{
+    static const struct cagd_code_place place[] = {{"a.c", "f", 1}, {"a.c", "f", 2}, {"b.c", "f", 3}};
+    static const double amounts[][3] = {{0x1p-54, -3 * 0x1p-54, 0x1p-54},
+                                        {0x1p-54, 3 * 0x1p-54, -0x1p-54},
+                                        {3 * 0x1p-54, 0x1p-54, 0x1p-54},
+                                        {-0x1p-54, 0x1p-54, -3 * 0x1p-54}};
+    static const int worst[] = {1, 1, 0, 2};
+    double list[4];
+    for (int k = 0; k < 4; k++) {
+        struct cagd_code_share *share = cagd_region_array(3, 1, sizeof *share);
+        double sum = 0;
+        for (int j = 0; j < 3; j++)
+            share[j] = (struct cagd_code_share){&place[j], amounts[k][j]}, sum += amounts[k][j];
+        list[k] = cagd_code_number(
+            (cagd_code_value){.q = sub_q(from_int_q(3), from_double_q(sum)), .d = 3, .share = share, .shares = 3});
+    }
+    cagd_code_output("r", 4, list);
+    cagd_code_output("s", 1, list + 1);
+    const struct cagd_code_result *r = cagd_code_machine.outcome->results;
+    for (int k = 0; k < 5; k++, r = r->next) {
+        char name[8], line[8];
+        int of = k < 4 ? k : 1;
+        double sum = 0;
+        for (int j = 0; j < 3; j++)
+            sum += amounts[of][j];
+        snprintf(name, sizeof name, k < 4 ? "r[%d]" : "s", k);
+        snprintf(line, sizeof line, "%s:%d", place[worst[of]].file, place[worst[of]].line);
+        check(strcmp(r->name, name) == 0 && strcmp(r->worst_line, line) == 0);
+        check(r->computed == 3 && r->worst_part == 0.6 && r->wanted == NULL);
+        check(r->ulps == fabs(sum) / 0x1p-51); /* 3 has ulps of 2^-51 */
+        for (int order = 0; order < CAGD_CODE_ORDERS; order++)
+            check(r->in_order[order] == r->ulps);
+    }
+    check(r == NULL);
+    cagd_code_at = &place[0];
+    double nothing = cagd_code_sub(cagd_code_div(1, 3), cagd_code_div(1, 3)), special = (double)INFINITY;
+    cagd_code_output("zero", 1, &nothing);
+    cagd_code_output("infinite", 1, &special);
+    for (r = cagd_code_machine.outcome->results; strcmp(r->name, "zero") != 0;)
+        r = r->next;
+    check(r->ulps == 0 && r->worst_line == NULL && strcmp(r->got, "0") == 0);
+    check(strcmp(r->next->got, "inf") == 0 && r->next->worst_line == NULL);
+}
+
 /* Of an argument that is far from exact the error goes through with the slope, where the function has one. */
 static void errors_of_arguments(void)
 {
@@ -928,6 +978,7 @@ static void functions_pass_errors_on(void **state)
 {
     (void)state;
     ends(costs_of_functions, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
+    ends(told_results, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
     ends(errors_of_arguments, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
 }
 

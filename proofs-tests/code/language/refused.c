@@ -267,6 +267,14 @@ double r_null(void)
     *p = x; // here
     return 0;
 }
+/* ! an integer was divided by zero */
+double r_integer_by_zero(void)
+{
+    volatile int n = 0;
+    double x = 1.0 / 3;
+    x = x + 7 / n; // here
+    return x;
+}
 /* ! aborted */
 double r_abort(void)
 {
