@@ -1,9 +1,10 @@
 /* run_programs.c -- runs functions of an object of cagd-compile-exactly, one after another, and prints what they put out.
  *
- *     run_programs rational|enclose|field|interval|rounding OBJECT.so NAME...
+ *     run_programs rational|enclose|ordered|field|interval|rounding OBJECT.so NAME...
  *
  * A line for each: "NAME: VALUE; VALUE...", or "NAME! MESSAGE (FUNCTION:LINE)".  In the field x and y are variables, at 2/3 and
- * -5/7; elsewhere they are these numbers. */
+ * -5/7; elsewhere they are these numbers.  ordered: rational, where addresses of different
+ * objects have no order. */
 #include "exact/code/run.h"
 
 #include <stdio.h>
@@ -22,7 +23,8 @@ int main(int argc, char **argv)
                                 .most_seconds = 20,
                                 .most_megabytes = 1024,
                                 .most_values = 1 << 20,
-                                .enclose = strcmp(argv[1], "enclose") == 0};
+                                .enclose = strcmp(argv[1], "enclose") == 0,
+                                .one_object = strcmp(argv[1], "ordered") == 0};
     for (int k = 0; k < 4; k++)
         if (strcmp(argv[1], words[k]) == 0)
             job.numbers = (enum cagd_code_numbers)k;

@@ -20,6 +20,34 @@ double largest(int n, const double *a)
         m = a[i] > m ? a[i] : m;
     return m;
 }
+double product(int n, const double *a)
+{
+    double s = 1;
+    for (int i = 0; i < n; i++)
+        s *= a[i];
+    return s;
+}
+float product_of_floats(int n, const float *a)
+{
+    float s = 1;
+    for (int i = 0; i < n; i++)
+        s *= a[i];
+    return s;
+}
+float sum_of_floats(int n, const float *a)
+{
+    float s = 0;
+    for (int i = 0; i < n; i++)
+        s += a[i];
+    return s;
+}
+/* What holds of x and y, a bit for each relation and for what is not so. */
+int relations(double x, double y)
+{
+    return (x < y) + 2 * (x <= y) + 4 * (x > y) + 8 * (x >= y) + 16 * (x == y) + 32 * (x != y) + 64 * !(x < y) + 128 * !(x <= y) + 256 * !(x > y) +
+           512 * !(x >= y) + 1024 * __builtin_isunordered(x, y) + 2048 * !__builtin_isunordered(x, y) + 4096 * __builtin_islessgreater(x, y) +
+           8192 * !__builtin_islessgreater(x, y);
+}
 struct three { double x[3]; };
 void assign(struct three *to, const struct three *from);
 void assign(struct three *to, const struct three *from) { *to = *from; }

@@ -2,6 +2,10 @@ double dot(int n, const double *a, const double *b);
 double horner(int n, const double *a, double x);
 double largest(int n, const double *a);
 void scale(int n, double *restrict a, double x);
+double product(int n, const double *a);
+float product_of_floats(int n, const float *a);
+float sum_of_floats(int n, const float *a);
+int relations(double x, double y);
 struct three { double x[3]; };
 void assign(struct three *to, const struct three *from);
 double every(double x, double y, int n, unsigned m);
@@ -32,3 +36,17 @@ double o_bits_of_zero(void) { double x = 1.0 / 3; return is_zero(x - x); }
 double o_bits_of_an_exponent(void) { return exponent(1.0 / 3); }
 /* ! bits of a number */
 double o_bits_less_one(void) { return is_no_power(1.0 / 3); }
+/* = math.prod(F(k + 1, k + 3) for k in range(13)) */
+double o_product(void) { double a[13]; for (int k = 0; k < 13; k++) a[k] = (k + 1.0) / (k + 3); return product(13, a); }
+/* = math.prod(F(k + 1, k + 3) for k in range(17)) + sum(F(k + 1, k + 3) for k in range(17)) */
+double o_floats(void) { float a[17]; for (int k = 0; k < 17; k++) a[k] = (k + 1.0f) / (k + 3); return product_of_floats(17, a) + sum_of_floats(17, a); }
+/* = sum(F(k, 7) * F(k, 3) for k in range(19)) */
+double o_long_dot(void) { double a[19], b[19]; for (int k = 0; k < 19; k++) a[k] = k / 7.0, b[k] = k / 3.0; return dot(19, a, b); }
+/* = 1 + 2 + 32 + 256 + 512 + 2048 + 4096 */
+double o_less(void) { return relations(1.0 / 3, 1.0 / 2); }
+/* = 4 + 8 + 32 + 64 + 128 + 2048 + 4096 */
+double o_greater(void) { return relations(1.0 / 2, 1.0 / 3); }
+/* = 2 + 8 + 16 + 64 + 256 + 2048 + 8192 */
+double o_equal(void) { return relations(2.0 / 6, 1.0 / 3); }
+/* = 32 + 64 + 128 + 256 + 512 + 1024 + 8192 */
+double o_unordered(void) { return relations(__builtin_nan(""), 1.0 / 3); }

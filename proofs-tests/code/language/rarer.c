@@ -124,6 +124,10 @@ double z_isgreater(void) { double x = 1.0 / 3; return isgreater(x, 0.3) && isles
 double z_countdown(void) { int n = 0; for (double x = 1; x > 0; x -= 1.0 / 3) n++; return n; }
 /* = F(-2,3) */
 double z_decrement(void) { double x = 1.0 / 3; --x; return x; }
+/* = F(16, 3) */
+double z_difftime(void) { return difftime(7, 2) + 1.0 / 3; }
+/* = F(1, 9) + 10 * 9 */
+double z_powi(void) { return __builtin_powi(1.0 / 3, 2) + 10 * __builtin_powi(1.0 / 3, -2); }
 /* = 1 */
 double z_bool(void) { _Bool b = 1.0 / 3; return b; }
 /* ! outside the range of a signed integer of 8 bits */
