@@ -431,6 +431,26 @@ double f(double x, double y)
         self.assertEqual(v["verdict"], "undecided")
         self.assertRegex(v["because"], r"a number of more than \d+ bits, at \S*code\.c:4")
 
+    def test_sources_flags_and_includes_are_seen_from_the_page(self):
+        (self.folder / "sub/inc").mkdir(parents=True)
+        (self.folder / "sub/inc/two.h").write_text("#define TWO 2\n")
+        (self.folder / "one.h").write_text("static double one(double x) { return x + ONE; }\n")
+        (self.folder / "sub/twice.c").write_text('#include <two.h>\ndouble twice(double x) { return x * TWO; }\n')
+        (self.folder / "more.cc").write_text('extern "C" double thrice(double x) { auto y = x + x; return y + x; }\n')
+        for source in ["sub/twice.c", str(self.folder / "sub/twice.c")]:
+            for flags in [":flag: -Isub/inc -DONE=1", f":flag: -DONE=1\n:flag: -I{self.folder}/sub/inc", f":flag: -DONE=1 -I {self.folder}/sub/inc"]:
+                v = self.verdict(f':::{{exactly}} it\n:source: {source}\n{flags}\n:include: "one.h"\n:declare: double twice(double);\n'
+                                 ":input: x\n:call: double r = twice(one(x));\n:expect: r = 2 * x + 2\n:::\n")
+                self.assertEqual(v["verdict"], "proved", flags)
+        for sources in ["sub/twice.c\n:source: more.cc", "more.cc\n:source: sub/twice.c"]:
+            v = self.verdict(f':::{{exactly}} it\n:source: {sources}\n:flag: -Isub/inc -DONE=1 -std=c++17\n:include: "one.h"\n'
+                             ':declare: extern "C" double twice(double);\n  extern "C" double thrice(double);\n'
+                             ":input: x\n:call: double r = twice(thrice(one(x)));\n:expect: r = 6 * x + 6\n:::\n")
+            self.assertEqual(v["verdict"], "proved")
+        ran = run(self.harness(":::{exactly} it\n:source: none.c\n:input: x\n:call: double r = x;\n:expect: r = x\n:::\n"))
+        self.assertEqual((ran.returncode, ran.stdout), (2, ""))
+        self.assertRegex(ran.stderr, r"/none\.c(?s:.*)page\.md: line 3: it: the sources were not compiled\n$")
+
     def test_an_output(self):
         block = ":::{exactly} it\n:source: code.c\n:declare: void g(double, double *);\n:input: x\n:call: double r[2]; g(x, r);\n:output: r[2]\n:::\n"
         v = self.verdict(block, "void g(double x, double *r) { r[0] = x / 3; r[1] = 1 - x; }")
