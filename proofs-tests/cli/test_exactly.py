@@ -140,6 +140,14 @@ class Certificates(Exactly):
         self.assertEqual(len(ways), 2)
         self.assertTrue(all(any(s.get("fact") == "order" for s in w["steps"]) for w in ways))
 
+    def test_names_that_begin_alike_are_rechecked(self):
+        code = "double f(const double *a, double ab, double abc) { if (ab > a[0]) ab = a[1] * abc; if (abc > a[11]) return ab - abc; return ab + abc; }"
+        block = (":::{exactly} it\n:source: code.c\n:declare: double f(const double *, double, double);\n:input: a[12]; ab; abc\n:call: double r = f(a, ab, abc);\n"
+                 ":expect: r = (ab > a[0] ? a[1] * abc : ab) + (abc > a[11] ? -abc : abc)\n:::\n")
+        code, out = self.recheck(self.certified(self.harness(block, code)))
+        self.assertEqual(code, 0, out)
+        self.assertIn("1 rechecked, 0 wrong", out)
+
     def test_what_differs_is_not_certified(self):
         folder = self.certified(PAGE)
         self.assertFalse((folder / "claims/divided_horner_is_casteljau.json").exists())
@@ -753,6 +761,13 @@ void curve(const double *u, const double *P, const double *w, double t, double *
             block = (f":::{{exactly}} it\n:source: code.c\n:declare: double f(double, double);\n:input: {name}; x > 0\n:where: {name} < -1\n"
                      f":call: double s = f({name}, x);\n:expect: s = 0\n:::\n")
             v = self.verdict(block, "#include <math.h>\n" + code)
+            self.assertEqual(v["verdict"], "proved", v.get("because"))
+
+    def test_inputs_with_several_such_names_in_any_place(self):
+        for names in [["x > 0", "root1", "root2"], ["root2", "x > 0", "root1"], ["a", "root2", "root1", "x > 0"]]:
+            block = (f":::{{exactly}} it\n:include: <math.h>\n:input: {'; '.join(names)}\n:where: root1 < -1\n:where: root2 < -1\n"
+                     ":call: double s = sqrt(x) == root1 || sqrt(x + 1) == root2;\n:expect: s = 0\n:::\n")
+            v = self.verdict(block)
             self.assertEqual(v["verdict"], "proved", v.get("because"))
 
     def test_our_kernels(self):

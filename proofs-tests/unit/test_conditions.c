@@ -408,13 +408,16 @@ static void other_branches_are_found_or_closed(void **state)
                 {{{"u[2]-t", ABOVE}}, 0, 1, 1, "u[2]-t <= 0, at a.c:10"},
                 {{{"u[0]-9", BELOW}}, 0, 1, 1, "u[0]-9 >= 0, at a.c:10"},
                 {{{"u[1]-9", BELOW}}, 0, 2, 1, "u[1]-9 >= 0, at a.c:10"},
+                /* names that begin alike */
+                {{{"uv-5", BELOW}}, 0, 0, 1, "uv-5 >= 0, at a.c:10"},
+                {{{"uv-u[0]", ABOVE}, {"uv-u[2]", BELOW}}, 1, 0, 1, "uv-u[2] >= 0, at a.c:11"},
                 /* a square is larger somewhere, which chance finds */
                 {{{"t^2-100", BELOW | ZERO}}, 0, 0, 1, "t^2-100 > 0, at a.c:10"},
                 {{{"t^2+1", ABOVE}}, 0, 0, 0, "t^2+1 <= 0, at a.c:10"},
                 {{{"", ABOVE}}, 0, 0, -1, "(a long expression) <= 0, at a.c:10"}};
     struct cagd_code_harness_error error;
     struct cagd_code_harness *h = cagd_code_read_harness(
-        ":::{exactly} it\n:input: c = 3; t; u[3] nondecreasing\n:call: f();\n:output: t\n:::\n", &error);
+        ":::{exactly} it\n:input: c = 3; t; u[3] nondecreasing; uv; u3 = 8\n:call: f();\n:output: t\n:::\n", &error);
     assert_non_null(h);
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         condition c[3] = {{.left = ""}};
@@ -438,8 +441,8 @@ static void other_branches_are_found_or_closed(void **state)
             region_mark mark = region_open();
             assert_true(cagd_code_is_of_one_pattern(from, point));
             assert_string_equal(point->input[0].value[0], "3");
-            num_q u[4];
-            static const char *names[] = {"u[0]", "u[1]", "u[2]", "t"};
+            num_q u[5];
+            static const char *names[] = {"u[0]", "u[1]", "u[2]", "t", "uv"};
             for (int j = 0; j < 3; j++) {
                 u[j] = cagd_from_string_q(point->input[2].value[j]);
                 assert_true(j == 0 || (from->input[2].like[j] == from->input[2].like[j - 1]
@@ -447,7 +450,9 @@ static void other_branches_are_found_or_closed(void **state)
                                            : cagd_compare_q(u[j - 1], u[j]) < 0));
             }
             u[3] = cagd_from_string_q(point->input[1].value[0]);
-            const struct cagd_code_witness w = {4, names, u};
+            u[4] = cagd_from_string_q(point->input[3].value[0]);
+            assert_string_equal(point->input[4].value[0], "8");
+            const struct cagd_code_witness w = {5, names, u};
             struct cagd_code_claim claim[3];
             for (int j = 0; j <= list[k].k; j++)
                 claim[j] = list[k].way[j];
