@@ -18,6 +18,7 @@
 #include "core/fit/outliers.h"
 #include "core/fit/polygon.h"
 #include "core/fit/problem.h"
+#include "core/fit/quantile.h"
 #include "core/fit/rank.h"
 #include "core/fit/sample.h"
 #include "core/fit/search.h"
@@ -25,6 +26,7 @@
 #include "core/fit/starts.h"
 #include "core/fit/strategy.h"
 #include "core/fit/unknowns.h"
+#include "core/fit/weights.h"
 #include "core/number/limits.h"
 
 #include <float.h>
@@ -33,6 +35,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -2272,6 +2275,649 @@ static void arcs_of_ellipses(void **state)
         }
 }
 
+/* Gauss's elimination: X becomes A^-1, n <= 5. */
+static void invert(int n, double A[5][5], double X[5][5])
+{
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            X[i][j] = i == j;
+    for (int k = 0; k < n; k++) {
+        const double pivot = A[k][k]; /* of a positive definite matrix */
+        for (int j = 0; j < n; j++)
+            A[k][j] /= pivot, X[k][j] /= pivot;
+        for (int i = 0; i < n; i++) {
+            const double share = A[i][k];
+            for (int j = 0; j < n && i != k; j++)
+                A[i][j] -= share * A[k][j], X[i][j] -= share * X[k][j];
+        }
+    }
+}
+
+/* The covariance of n numbers on which the distances depend by rows[], one over the deviations in them, and what distances that are all `off` make of them. */
+static void least_squares(int n, int count, double rows[][5], const double off[], double V[5][5], double moved[5])
+{
+    double A[5][5] = {{0}}, right[5] = {0};
+    for (int i = 0; i < count; i++)
+        for (int a = 0; a < n; a++) {
+            right[a] += rows[i][a] * off[i];
+            for (int b = 0; b < n; b++)
+                A[a][b] += rows[i][a] * rows[i][b];
+        }
+    invert(n, A, V);
+    for (int a = 0; a < n; a++) {
+        moved[a] = 0;
+        for (int b = 0; b < n; b++)
+            moved[a] += V[a][b] * right[b];
+    }
+}
+
+/* As good as normal, of variance 1, the same for every i: the sum of twelve even numbers, by splitmix64. */
+static double noise_told(int i)
+{
+    double sum = -6;
+    for (int k = 0; k < 12; k++) {
+        uint64_t z = ((uint64_t)i * 12 + (uint64_t)k + 1) * 0x9e3779b97f4a7c15u;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        sum += (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    }
+    return sum;
+}
+
+/* The form of Fieller's theorem for coordinate c of the centre at x, M its point in the middle of the arc. */
+static double form_of(const double of[3], const double M[2], int c, double x)
+{
+    const double away[2] = {of[0] - M[0], of[1] - M[1]}, far = hypot(away[0], away[1]), R = of[2];
+    return (x - M[c]) / R - (1 + (far - R) / R) * away[c] / far;
+}
+
+/* Errors, bias and intervals of an arc of a circle from the normal equations of centre and radius: a point that is off by s in all directions is by s^2/(2 R) farther
+ * out. */
+static void circles_have_their_errors(void **state)
+{
+    (void)state;
+    enum { MANY = 40 };
+    for (int variant = 0; variant < 4; variant++) {
+        const int given = variant & 1;
+        const double size = variant & 2 ? 0.02 : 0.002, turn = acos(-1) / 180;
+        double P[2 * MANY], s[MANY], rows[MANY][5], off[MANY], V[5][5], moved[5];
+        for (int i = 0; i < MANY; i++) {
+            const double a = (200 + 70.0 * i / (MANY - 1)) * turn;
+            s[i] = given ? size * (i % 3 ? 0.5 : 1) : 1;
+            P[2 * i] = 3 + cos(a) + size * noise_told(2 * i) * (given ? s[i] / size : 1) / 1.5;
+            P[2 * i + 1] = -1 + sin(a) + size * noise_told(2 * i + 1) * (given ? s[i] / size : 1) / 1.5;
+        }
+        const cagd_fit_data d = {MANY, 2, P, given ? s : NULL};
+        const cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r;
+        cagd_fit_circle c;
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        assert_int_equal(cagd_fit_circle_of(&d, &o, r, &c), CAGD_OK);
+        assert_true(c.known && c.freedom == MANY - 5);
+        double sum = 0, squares = 0, slope[3] = {0}, mean[2] = {0}, low = 0, high = 0;
+        const double R = c.radius.value, centre[2] = {c.centre[0].value, c.centre[1].value};
+        for (int i = 0; i < MANY; i++) {
+            const double x = P[2 * i] - centre[0], y = P[2 * i + 1] - centre[1], far = hypot(x, y);
+            rows[i][0] = x / far / s[i], rows[i][1] = y / far / s[i], rows[i][2] = 1 / s[i];
+            for (int k = 0; k < 3; k++)
+                slope[k] += rows[i][k] * (far - R) / s[i];
+            sum += pow((far - R) / s[i], 2), squares += pow(far - R, 2);
+            mean[0] += x / MANY, mean[1] += y / MANY;
+            off[i] = s[i] / (2 * R);
+        }
+        const double scale = given ? 1 : sum / (MANY - 3),
+                     q = given ? fit_normal_quantile() : fit_student_quantile(MANY - 3);
+        for (int k = 0; k < 3; k++)
+            assert_true(fabs(slope[k]) < 1e-7 / size / (given ? size : 1)); /* the least sum */
+        assert_true(fabs(c.rms / sqrt(squares / MANY) - 1) < 1e-9);
+        const double ratio = (sum - r->chi_squared) / 2 / (r->chi_squared / (MANY - 5));
+        assert_true(fabs(c.ratio - ratio) < 1e-6 * (1 + ratio));
+        assert_true(fabs(c.probability - fit_f_probability(c.ratio, 2, MANY - 5)) < 1e-12 && c.probability > 0.05);
+        least_squares(3, MANY, rows, off, V, moved);
+        const cagd_fit_number of[3] = {c.centre[0], c.centre[1], c.radius};
+        double best[3], M[2];
+        for (int k = 0; k < 3; k++) {
+            assert_true(fabs(of[k].error / sqrt(scale * V[k][k]) - 1) < 1e-6);
+            best[k] = of[k].value - scale * moved[k];
+        }
+        const double length = hypot(mean[0], mean[1]), to_mean[2] = {mean[0] / length, mean[1] / length};
+        for (int k = 0; k < 2; k++)
+            M[k] = best[k] + best[2] * to_mean[k];
+        const double s_k = sqrt(scale * V[2][2]) / (best[2] * best[2]);
+        assert_true(fabs(c.radius.low * (1 / best[2] + q * s_k) - 1) < 1e-6 &&
+                    fabs(c.radius.high * (1 / best[2] - q * s_k) - 1) < 1e-6);
+        for (int k = 0; k < 2; k++)
+            for (int end = 0; end < 2; end++) { /* where the form differs from 0 by q of its errors */
+                const double x = end ? c.centre[k].high : c.centre[k].low, h = 1e-6;
+                double g[3], variance = 0;
+                for (int a = 0; a < 3; a++) {
+                    double up[3], down[3];
+                    memcpy(up, best, sizeof up), memcpy(down, best, sizeof down);
+                    up[a] += h, down[a] -= h;
+                    g[a] = (form_of(up, M, k, x) - form_of(down, M, k, x)) / (2 * h);
+                }
+                for (int a = 0; a < 3; a++)
+                    for (int b = 0; b < 3; b++)
+                        variance += scale * g[a] * V[a][b] * g[b];
+                const double form = form_of(best, M, k, x);
+                assert_true(fabs(fabs(form) / (q * sqrt(variance)) - 1) < 1e-4);
+                assert_true((form < 0) == (x < best[k]) && c.centre[k].low < best[k] && best[k] < c.centre[k].high);
+            }
+        for (int i = 0; i < MANY; i++) { /* as the points are seen from the centre */
+            const double x = P[2 * i] - best[0], y = P[2 * i + 1] - best[1],
+                         a = atan2(to_mean[0] * y - to_mean[1] * x, to_mean[0] * x + to_mean[1] * y);
+            low = fmin(low, a), high = fmax(high, a);
+        }
+        assert_true(fabs(c.sweep - (high - low) / turn) < 1e-6);
+        /* Nothing is told of what is no free conic by squares. */
+        cagd_fit_options other[5] = {o, o, o, o, o};
+        other[0].free = CAGD_FIT_WEIGHTS | CAGD_FIT_INNER_POINTS, other[1].loss = CAGD_FIT_HUBER,
+        other[2].loss = CAGD_FIT_CAUCHY, other[3].smooth = 1, other[4].monotone = 1;
+        for (int k = 0; k < 5; k++) {
+            assert_int_equal(cagd_fit_circle_of(&d, &other[k], r, &c), CAGD_OK);
+            assert_true(!c.known && c.radius.value == 0 && c.freedom == 0);
+        }
+        for (int k = 0; k < r->unknowns; k++) {
+            r->at_bound[k] = 1;
+            assert_int_equal(cagd_fit_circle_of(&d, &o, r, &c), CAGD_OK);
+            assert_true(!c.known);
+            r->at_bound[k] = 0;
+        }
+        r->refuted = 1;
+        assert_int_equal(cagd_fit_circle_of(&d, &o, r, &c), CAGD_OK);
+        assert_true(!c.known);
+        cagd_fit_free(r);
+    }
+}
+
+/* The same of an ellipse, whole or an arc, whichever way the points go around: centre, axes and angle by the normal equations of these five numbers. */
+static void ellipses_have_their_errors(void **state)
+{
+    (void)state;
+    enum { MANY = 60 };
+    for (int variant = 0; variant < 16; variant++) {
+        const int given = variant & 1, whole = variant & 2, back = variant & 4, mixed = variant & 8;
+        const double turn = acos(-1) / 180,
+                     tilt = (variant % 3 == 0   ? 35
+                             : variant % 3 == 1 ? 120
+                                                : -70) *
+                            turn,
+                     size = 0.01;
+        double P[2 * MANY], s[MANY], rows[MANY][5], off[MANY], V[5][5], moved[5];
+        for (int k = 0; k < MANY; k++) {
+            const int i = mixed ? k * 7 % MANY : k;
+            const double a = (back ? -1 : 1) * (20 + (whole ? 360.0 / MANY : 4.5) * i) * turn, x = 3 * cos(a),
+                         y = 2 * sin(a);
+            s[k] = given ? size * (i % 3 ? 0.5 : 1) : 1;
+            P[2 * k] = 7 + cos(tilt) * x - sin(tilt) * y + size * noise_told(2 * i) * (given ? s[k] / size : 1) / 1.5;
+            P[2 * k + 1] =
+                4 + sin(tilt) * x + cos(tilt) * y + size * noise_told(2 * i + 1) * (given ? s[k] / size : 1) / 1.5;
+        }
+        const cagd_fit_data d = {MANY, 2, P, given ? s : NULL};
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r;
+        o.closed = whole, o.unordered = mixed;
+        assert_int_equal(fit_ellipse_result(&d, &o, &r), CAGD_OK);
+        assert_non_null(r);
+        const cagd_fit_ellipse *e = &r->found.ellipse;
+        assert_true(e->known && !e->whole == !whole && !e->circle && e->freedom == MANY - 5);
+        assert_true(fabs(e->sweep - (whole ? 360 : 4.5 * (MANY - 1))) < 1);
+        const double A = e->major.value, B = e->minor.value, theta = e->angle.value * turn;
+        assert_true(fabs(A - 3) < 0.02 && fabs(B - 2) < 0.02 && e->angle.value > -90 && e->angle.value <= 90 &&
+                    fabs(remainder(theta - tilt, acos(-1))) < 1 * turn);
+        double sum = 0, slope[5] = {0};
+        for (int i = 0; i < MANY; i++) { /* the foot in the axes of the ellipse by bisection of (E - q) E' */
+            const double X = P[2 * i] - e->centre[0].value, Y = P[2 * i + 1] - e->centre[1].value,
+                         x = cos(theta) * X + sin(theta) * Y, y = cos(theta) * Y - sin(theta) * X;
+            double low = 0, high = acos(-1) / 2;
+            for (int k = 0; k < 80; k++) {
+                const double m = (low + high) / 2,
+                             f = -A * sin(m) * (A * cos(m) - fabs(x)) + B * cos(m) * (B * sin(m) - fabs(y));
+                *(f < 0 ? &low : &high) = m;
+            }
+            const double u = copysign(cos(low), x), v = copysign(sin(low), y), length = hypot(B * u, A * v),
+                         nx = B * u / length, ny = A * v / length, away = nx * (x - A * u) + ny * (y - B * v);
+            rows[i][0] = (cos(theta) * nx - sin(theta) * ny) / s[i],
+            rows[i][1] = (sin(theta) * nx + cos(theta) * ny) / s[i];
+            rows[i][2] = nx * u / s[i], rows[i][3] = ny * v / s[i], rows[i][4] = (ny * A * u - nx * B * v) / s[i];
+            off[i] = s[i] / 2 * A * B / pow(A * A * v * v + B * B * u * u, 1.5);
+            sum += away * away / (s[i] * s[i]);
+            for (int k = 0; k < 5; k++)
+                slope[k] += rows[i][k] * away / s[i];
+            assert_true(fabs(fabs(r->distances[i]) - fabs(away)) < 1e-9);
+        }
+        for (int k = 0; k < 5; k++)
+            assert_true(fabs(slope[k]) < 1e-5 * sqrt(sum) / (given ? size : 1));
+        assert_true(fabs(r->chi_squared / sum - 1) < 1e-9 && r->degrees_of_freedom == MANY - 5 &&
+                    fabs(r->cost / (sum / 2) - 1) < 1e-9);
+        assert_true(r->effective == 5 && fabs(r->reduced_chi_squared / (sum / (MANY - 5)) - 1) < 1e-9);
+        assert_true(fabs(r->aic - (given ? sum + 10 : MANY * log(sum / MANY) + 12)) < 1e-6);
+        assert_true(fabs(r->bic - (given ? sum + 5 * log(MANY) : MANY * log(sum / MANY) + 6 * log(MANY))) < 1e-6);
+        const double scale = given ? 1 : sum / (MANY - 5),
+                     q = given ? fit_normal_quantile() : fit_student_quantile(MANY - 5);
+        assert_true(r->scale_is_given == given && r->quantile == q && fabs(r->scale_squared / scale - 1) < 1e-9);
+        least_squares(5, MANY, rows, off, V, moved);
+        const cagd_fit_number of[5] = {e->centre[0], e->centre[1], e->major, e->minor, e->angle};
+        for (int k = 0; k < 5; k++) {
+            const double unit = k == 4 ? 1 / turn : 1, error = sqrt(scale * V[k][k]) * unit;
+            assert_true(fabs(of[k].error / error - 1) < 1e-5);
+            const double middle = of[k].value - scale * moved[k] * unit;
+            assert_true(fabs(of[k].low - (middle - q * error)) < 1e-4 * error &&
+                        fabs(of[k].high - (middle + q * error)) < 1e-4 * error);
+        }
+        for (int i = 1; i < MANY && !mixed; i++) /* the curve goes the way of its points */
+            assert_true(r->feet[i] > r->feet[i - 1] || whole);
+        cagd_fit_free(r);
+    }
+}
+
+/* ---- choices and cures ------------------------------------------------------------------------------------------------ */
+
+static void scatter(int n, double size, double P[])
+{
+    for (int i = 0; i < n; i++) {
+        const double u = (double)i / (n - 1);
+        P[2 * i] = u + size * noise_told(2 * i + 1), P[2 * i + 1] = u * (1 - u) + size * noise_told(2 * i + 2);
+    }
+}
+
+/* A letter for each cure that was tried, and behind it what of options and choices is not what the fit had. */
+static void tell_trials(const cagd_fit_cures *cures, const cagd_fit_options *o, const cagd_fit_choices *c, char *text,
+                        size_t room)
+{
+    char *at = text, *end = text + room;
+    *at = 0;
+#define TELL(what, now, before)                                                                                        \
+    if ((now) != (before))                                                                                             \
+    at += snprintf(at, (size_t)(end - at), " %s %.4g", what, (double)(now))
+    for (int k = 0; k < cures->count; k++) {
+        const cagd_fit_trial *t = &cures->trial[k];
+        at += snprintf(at, (size_t)(end - at), "%s%c", k > 0 ? ", " : "", "ISNBHUMOCLDAGJ"[t->cure]);
+        TELL("degree", t->options.degree, o->degree);
+        TELL("count", t->options.count, o->count);
+        TELL("iterations", t->options.max_iterations, o->max_iterations);
+        TELL("starts", t->options.starts, o->starts);
+        TELL("free", t->options.free, o->free);
+        TELL("unordered", t->options.unordered, o->unordered);
+        TELL("monotone", t->options.monotone, o->monotone);
+        TELL("loss", t->options.loss, o->loss);
+        TELL("scale", t->options.loss_scale, o->loss_scale);
+        TELL("low", t->options.weight_low, o->weight_low);
+        TELL("high", t->options.weight_high, o->weight_high);
+        TELL("smooth", t->options.smooth, o->smooth);
+        TELL("silent", t->options.without_intervals, o->without_intervals);
+        TELL("form", t->choices.form, c->form);
+        TELL("number", t->choices.count, c->count);
+        TELL("degrees", t->choices.degree, c->degree);
+        TELL("weights", t->choices.weights, c->weights);
+        TELL("smoothed", t->choices.smooth, c->smooth);
+        TELL("closed", t->choices.closed, c->closed);
+        assert_true(t->options.after_start == o->after_start && t->minimum == (t->problems != ~0));
+        assert_true(t->minimum ? t->rms > 0 : 1);
+    }
+#undef TELL
+}
+
+static void no_start(void *context, int ended, int starts) { (void)context, (void)ended, (void)starts; }
+
+/* What is tried of a fit that is no minimum, or of which something else is said, on points that scatter so much that nothing helps: all of it, in its order, and what
+ * each asks for.  I iterations, S starts, N without weights, B bounds, H Huber, J Huber with a spline, U unordered, M monotone, O smoothed, C another number of
+ * control points, L lighter, D degree, A automatic number, G degrees. */
+static void cures_are_tried_in_their_order(void **state)
+{
+    (void)state;
+    enum {
+        FAILED = 1,
+        REFUTED,
+        GIVEN_KNOTS = 4,
+        SMOOTHED = 8,
+        ORDERLESS = 16,
+        ROBUST = 32,
+        BOUNDED = 64,
+        ELLIPSE = 128,
+        CLOSED = 256
+    };
+    static const cagd_fit_choices plain = {.closed = 0};
+    static const struct {
+        int degree, count, free, how, problems, strays;
+        const char *tried;
+    } of[] = {
+        {3, 0, 7, FAILED, 0, 0, "I iterations 400, N free 6, B low 0.0625 high 16, U unordered 1, A number 1"},
+        {3, 0, 7, REFUTED | BOUNDED, 0, 0, "S starts 8, N free 6, U unordered 1, A number 1"},
+        {3, 0, 6, FAILED | REFUTED, 0, 0,
+         "I iterations 400, S starts 8, U unordered 1, O number 1 smoothed 1, A number 1"},
+        {3, 0, 6, 0, CAGD_FIT_STRUCTURE, 2,
+         "H loss 1 scale 0, D degree 4, D degree 5, A number 1, G degree 2 number 1 degrees 1"},
+        {3, 0, 6, ROBUST, CAGD_FIT_COARSE, 2, "D degree 4, D degree 5, A number 1, C count 5, C count 6"},
+        {3, 7, 6, GIVEN_KNOTS, CAGD_FIT_EXCURSIONS, 1, "U unordered 1, M monotone 1, O smoothed 1"},
+        {3, 7, 6, GIVEN_KNOTS | BOUNDED, CAGD_FIT_FAR, 0, "U unordered 1, O smoothed 1"},
+        {3, 7, 6, GIVEN_KNOTS | ROBUST, CAGD_FIT_BACKWARDS, 0, "U unordered 1, O smoothed 1"},
+        {3, 7, 6, GIVEN_KNOTS | ORDERLESS, CAGD_FIT_LOOPS, 0, "O smoothed 1"},
+        {3, 0, 6, 0, CAGD_FIT_GAPS, 0, ""},
+        {3, 0, 6, 0, CAGD_FIT_DEVIATIONS, 0, ""},
+        {3, 0, 6, 0, CAGD_FIT_GAPS | CAGD_FIT_DEVIATIONS, 1, "H loss 1 scale 0"},
+        {3, 0, 6, 0, 0, 1, "H loss 1 scale 0"},
+        {3, 0, 6, 0, 0, 0, ""},
+        {3, 0, 6, 0, CAGD_FIT_SIMPLE, 0, "A number 1"},
+        {3, 8, 6, 0, CAGD_FIT_LOOPS, 0, "U unordered 1, M monotone 1, O smoothed 1, C count 6, A count 0 number 1"},
+        {3, 6, 6, 0, CAGD_FIT_LOOPS, 0, "U unordered 1, M monotone 1, O smoothed 1, A count 0 number 1"},
+        {2, 6, 6, 0, CAGD_FIT_LOOPS, 0, "U unordered 1, M monotone 1, O smoothed 1, C count 4, A count 0 number 1"},
+        {2, 6, 6, ELLIPSE, CAGD_FIT_LOOPS, 0, "U unordered 1, M monotone 1, O smoothed 1, A count 0 number 1"},
+        {3, 7, 6, GIVEN_KNOTS, CAGD_FIT_LOOPS | CAGD_FIT_COARSE, 1,
+         "H loss 1 scale 0, U unordered 1, M monotone 1, O smoothed 1"},
+        {3, 6, 6, SMOOTHED, CAGD_FIT_STRUCTURE | CAGD_FIT_COARSE, 0,
+         "L smooth 0.004, L smooth 4e-05, A count 0 number 1, G degree 2 degrees 1"},
+        {3, 6, 6, SMOOTHED, CAGD_FIT_LOOPS, 0, "U unordered 1, M monotone 1, A count 0 number 1"},
+        {1, 0, 6, 0, CAGD_FIT_COARSE | CAGD_FIT_LOOPS, 0,
+         "U unordered 1, M monotone 1, D degree 2, D degree 3, G degree 2 number 1 degrees 1"},
+        {2, 5, 6, CLOSED, CAGD_FIT_COARSE | CAGD_FIT_LOOPS, 0,
+         "U unordered 1, M monotone 1, O smoothed 1, A count 0 number 1, C count 6, C count 7, G degrees 1"},
+
+    };
+    enum { MANY = 14 };
+    double P[2 * MANY], knots[] = {0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1};
+    char text[2000];
+    scatter(MANY, 0.2, P);
+    const cagd_fit_data d = {MANY, 2, P, NULL};
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        cagd_fit_options o = cagd_fit_defaults(), first;
+        cagd_fit_result *r;
+        cagd_fit_cures cures;
+        cagd_fit_quality q = {.problems = of[k].problems, .strays = of[k].strays};
+        o.degree = of[k].degree, o.count = of[k].count, o.free = of[k].free, o.max_iterations = 40,
+        o.after_start = no_start;
+        o.knots = of[k].how & GIVEN_KNOTS ? knots : NULL, o.smooth = of[k].how & SMOOTHED ? 0.0367 : 0;
+        o.loss = of[k].how & ROBUST ? CAGD_FIT_CAUCHY : CAGD_FIT_SQUARES, o.unordered = of[k].how & ORDERLESS ? 1 : 0;
+        o.weight_low = of[k].how & BOUNDED ? 0.5 : 0, o.closed = of[k].how & CLOSED ? 1 : 0;
+        first = o, first.without_intervals = 1;
+        assert_int_equal(cagd_fit(&d, &first, &r, NULL), CAGD_OK);
+        r->termination = of[k].how & FAILED ? CAGD_FIT_NOT_CONVERGED : CAGD_FIT_CONVERGED,
+        r->refuted = (of[k].how & REFUTED) != 0;
+        r->found.ellipse.known = (of[k].how & ELLIPSE) != 0;
+        assert_int_equal(cagd_fit_cures_of(&d, &o, &plain, r, &q, &cures), CAGD_OK);
+        tell_trials(&cures, &o, &plain, text, sizeof text);
+        assert_string_equal(text, of[k].tried);
+        assert_true(cures.best == -1 && !cures.too_many);
+        cagd_fit_free(r);
+    }
+}
+
+/* What everything is open for is tried with a spline, as many control points as there are points for; what is far off asks for Huber's loss alone. */
+static void cures_of_what_was_chosen(void **state)
+{
+    (void)state;
+    enum { MANY = 14 };
+    double P[2 * MANY];
+    char text[2000];
+    scatter(MANY, 0.2, P);
+    cagd_fit_data d = {MANY, 2, P, NULL};
+    const cagd_fit_choices all = cagd_fit_choices_all();
+    cagd_fit_options o = cagd_fit_defaults();
+    static const struct {
+        int problems, strays;
+        double within;
+        const char *tried;
+    } of[] = {{0, 1, 0, "H loss 1 scale 0, J degree 3 free 6 loss 1 scale 0 form 0"},
+              {CAGD_FIT_LOOPS, 0, 0,
+               "U unordered 1, M degree 3 free 6 monotone 1 form 0, O degree 3 free 6 form 0 smoothed 1"},
+              {CAGD_FIT_LOOPS | CAGD_FIT_COARSE, 1, 0.5,
+               "H loss 1 scale 0, U unordered 1, M degree 3 free 6 monotone 1 form 0"}};
+    for (int k = 0; k < 3; k++) {
+        cagd_fit_choices c = all;
+        cagd_fit_result *r;
+        cagd_fit_cures cures;
+        cagd_fit_quality q = {.problems = of[k].problems, .strays = of[k].strays};
+        o.max_iterations = 40, c.within = of[k].within;
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        r->found.ellipse.known = 1; /* so that no number of control points is fewer */
+        r->termination = CAGD_FIT_CONVERGED;
+        assert_int_equal(cagd_fit_cures_of(&d, &o, &c, r, &q, &cures), CAGD_OK);
+        tell_trials(&cures, &o, &c, text, sizeof text);
+        if (getenv("TELL"))
+            printf("best %d \"%s\"\n", cures.best, text);
+        else
+            assert_string_equal(text, of[k].tried);
+        /* Too many points or control points, and nothing free: nothing is tried. */
+        d.count = CAGD_FIT_MOST_TRIED + 1;
+        assert_int_equal(cagd_fit_cures_of(&d, &o, &c, r, &q, &cures), CAGD_OK);
+        assert_true(cures.too_many && cures.count == 0 && cures.best == -1);
+        d.count = MANY, r->curve.count = CAGD_FIT_MOST_TRIED_CONTROL_POINTS + 1;
+        assert_int_equal(cagd_fit_cures_of(&d, &o, &c, r, &q, &cures), CAGD_OK);
+        assert_true(cures.too_many && cures.count == 0);
+        cagd_fit_options feet = o;
+        feet.free = 0;
+        assert_int_equal(cagd_fit_cures_of(&d, &feet, &c, r, &q, &cures), CAGD_OK);
+        assert_true(!cures.too_many && cures.count == 0 && cures.best == -1);
+        cagd_fit_free(r);
+    }
+}
+
+/* A fit that stopped too early is cured by the first thing that is tried, and nothing else is; feet that fall back ask for both. */
+static void what_helps_is_the_last(void **state)
+{
+    (void)state;
+    enum { MANY = 60 };
+    double P[2 * MANY];
+    scatter(MANY, 0.005, P);
+    const cagd_fit_data d = {MANY, 2, P, NULL};
+    const cagd_fit_choices plain = {.closed = 0};
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_result *r;
+    cagd_fit_cures cures;
+    for (int k = 0; k < 3; k++) {
+        const cagd_fit_quality q = {.problems = k == 0 ? 0 : k == 1 ? CAGD_FIT_LOOPS : CAGD_FIT_BACKWARDS};
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        r->termination = k == 0 ? CAGD_FIT_NOT_CONVERGED : CAGD_FIT_CONVERGED;
+        assert_int_equal(cagd_fit_cures_of(&d, &o, &plain, r, &q, &cures), CAGD_OK);
+        assert_int_equal(cures.best, 0);
+        assert_int_equal(cures.count, k == 2 ? 2 : 1);
+        assert_int_equal(cures.trial[0].cure, k == 0 ? CAGD_FIT_CURE_ITERATIONS : CAGD_FIT_CURE_UNORDERED);
+        assert_true(cures.trial[0].minimum && cures.trial[0].problems == 0 &&
+                    fabs(cures.trial[0].rms / r->rms - 1) < 1e-6);
+        assert_true(k < 2 || cures.trial[1].cure == CAGD_FIT_CURE_MONOTONE);
+        cagd_fit_free(r);
+    }
+}
+
+/* ---- which curve is chosen -------------------------------------------------------------------------------------------------- */
+
+static cagd_fit_result *chosen(const cagd_fit_data *d, const cagd_fit_options *o, const cagd_fit_choices *c)
+{
+    cagd_fit_result *r;
+    int where = 99;
+    assert_int_equal(cagd_fit_choose(d, o, c, &r, &where), CAGD_OK);
+    assert_true(r != NULL && where == -1 && r->found.chosen);
+    return r;
+}
+
+static void choices_that_are_refused(void **state)
+{
+    (void)state;
+    double P[40];
+    scatter(20, 0.01, P);
+    const cagd_fit_data d = {20, 2, P, NULL}, none = {20, 2, NULL, NULL};
+    const cagd_fit_options o = cagd_fit_defaults();
+    const cagd_fit_choices all = cagd_fit_choices_all();
+    assert_true(all.closed == -1 && all.form == 1 && all.count == 1 && all.degree == 0 && all.weights == 1 &&
+                all.smooth == 2 && all.within == 0);
+    cagd_fit_result *r;
+    int where;
+#define REFUSED(data, options, choices, status, place)                                                                 \
+    do {                                                                                                               \
+        r = (cagd_fit_result *)P, where = 99;                                                                          \
+        assert_int_equal(cagd_fit_choose(data, options, choices, &r, &where), status);                                 \
+        assert_true(r == NULL && where == (place));                                                                    \
+    } while (0)
+    REFUSED(NULL, &o, &all, CAGD_NULL, -1);
+    REFUSED(&d, NULL, &all, CAGD_NULL, -1);
+    REFUSED(&d, &o, NULL, CAGD_NULL, -1);
+    REFUSED(&none, &o, &all, CAGD_NULL, -1);
+    assert_int_equal(cagd_fit_choose(&d, &o, &all, NULL, &where), CAGD_NULL);
+    cagd_fit_choices c = all;
+    c.within = -1;
+    REFUSED(&d, &o, &c, CAGD_BAD_OPTION, -1);
+    c.within = NAN;
+    REFUSED(&d, &o, &c, CAGD_BAD_OPTION, -1);
+    c.within = INFINITY;
+    REFUSED(&d, &o, &c, CAGD_BAD_OPTION, -1);
+    static const double knots[] = {0, 0, 0, 0.5, 1, 1, 1};
+    cagd_fit_options given = o;
+    given.count = 4, given.knots = knots, given.free = 6;
+    c = (cagd_fit_choices){.degree = 1};
+    REFUSED(&d, &given, &c, CAGD_BAD_OPTION, -1);
+    given = o, given.tolerance = 0;
+    REFUSED(&d, &given, &all, CAGD_BAD_OPTION, -1);
+    P[27] = NAN;
+    REFUSED(&d, &o, &all, CAGD_BAD_DATA, 13);
+#undef REFUSED
+}
+
+/* Points that come back are closed where that is open or asked, and are not where it is not; a last one that repeats the first is left out. */
+static void closed_curves_are_chosen(void **state)
+{
+    (void)state;
+    for (int closed = -1; closed <= 1; closed++)
+        for (int repeated = 0; repeated < 2; repeated++) {
+            const cagd_fit_data d = on_circle(24 + repeated, 2, 30, 15);
+            cagd_fit_options o = cagd_fit_defaults();
+            cagd_fit_choices c = {.closed = closed};
+            o.degree = 3, o.count = 8, o.free = 6;
+            cagd_fit_result *r = chosen(&d, &o, &c);
+            assert_int_equal(r->found.closing, closed == 0 ? CAGD_FIT_OPEN
+                                               : repeated  ? CAGD_FIT_REPEATED
+                                                           : CAGD_FIT_AROUND);
+            assert_int_equal(r->period, closed ? 8 : 0);
+            assert_int_equal(r->count, closed ? 24 : 24 + repeated);
+            cagd_fit_free(r);
+            c.form = 1;
+            r = chosen(&d, &o, &c);
+            assert_true(!r->found.ellipse.known || (r->found.ellipse.whole && r->found.ellipse.circle));
+            assert_true(closed == 0 || r->found.ellipse.known);
+            cagd_fit_free(r);
+        }
+    const cagd_fit_data arc = on_circle(24, 2, 30, 5);
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_choices c = {.closed = -1};
+    o.degree = 3, o.count = 8, o.free = 6;
+    cagd_fit_result *r = chosen(&arc, &o, &c);
+    assert_true(r->found.closing == CAGD_FIT_OPEN && r->period == 0);
+    cagd_fit_free(r);
+}
+
+/* Of a parabola the conic alone, of a line the line before the conic, of degrees each with its number; each candidate with its own score, and the best one first. */
+static void candidates_are_told(void **state)
+{
+    (void)state;
+    enum { MANY = 80 };
+    double P[2 * MANY];
+    cagd_fit_data d = {MANY, 2, P, NULL};
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_choices c = cagd_fit_choices_all();
+    o.without_intervals = 1;
+    scatter(MANY, 0.004, P);
+    cagd_fit_result *r = chosen(&d, &o, &c);
+    assert_true(r->found.candidates == 1 && r->curve.degree == 2 && r->curve.count == 3);
+    assert_string_equal(r->found.candidate[0].name, "a conic in one segment");
+    assert_true(r->found.candidate[0].converged && r->found.candidate[0].problems == 0 &&
+                r->found.candidate[0].unknowns == 7);
+    assert_true(r->found.candidate[0].score == fit_score(&d, r) && r->found.candidate[0].rms == r->rms);
+    cagd_fit_free(r);
+    for (int i = 0; i < MANY; i++)
+        P[2 * i + 1] = 0.3 * P[2 * i] + 0.004 * noise_told(2 * i + 2);
+    r = chosen(&d, &o, &c);
+    assert_true(r->curve.degree == 1 && r->found.candidates == 2);
+    assert_string_equal(r->found.candidate[0].name, "a straight line");
+    assert_string_equal(r->found.candidate[1].name, "a conic in one segment");
+    assert_true(r->found.candidate[0].score == fit_score(&d, r) && r->found.candidate[0].unknowns == 4);
+    cagd_fit_free(r);
+    scatter(MANY, 0.004, P);
+    c = (cagd_fit_choices){.degree = 1};
+    o.free = 6;
+    for (int within = 0; within < 2; within++) {
+        c.within = within ? 0.05 : 0;
+        r = chosen(&d, &o, &c);
+        assert_int_equal(r->found.candidates, 4);
+        int seen = 0;
+        for (int k = 0; k < 4; k++) {
+            const cagd_fit_candidate *own = &r->found.candidate[k];
+            int degree = 0, count = 0;
+            assert_int_equal(sscanf(own->name, "degree %d with %d control points", &degree, &count), 2);
+            assert_true(degree >= 2 && degree <= 5 && count == degree + 1);
+            seen |= 1 << degree;
+            assert_true(!within || own->score == count);
+            assert_true(own->unknowns == 2 * count && own->converged);
+        }
+        assert_int_equal(seen, 4 + 8 + 16 + 32);
+        assert_true(r->found.candidate[0].score == (within ? r->curve.count : fit_score(&d, r)));
+        assert_int_equal(r->curve.degree, 2);
+        cagd_fit_free(r);
+    }
+    o.count = 4; /* enough for degrees 2 and 3 */
+    r = chosen(&d, &o, &c);
+    assert_int_equal(r->found.candidates, 2);
+    cagd_fit_free(r);
+}
+
+/* A spline that has weights, or has none: D, m and F of the test, and what becomes of scale and intervals. */
+static void weights_are_tested(void **state)
+{
+    (void)state;
+    enum { MANY = 120 };
+    static const double knots[] = {0, 0, 0, 0, 0.5, 1, 1, 1, 1}, C[] = {0, 0, 1, 2, 3, 2.5, 4, -1, 6, 1},
+                        heavy[] = {1, 4, 0.5, 3, 1};
+    for (int variant = 0; variant < 4; variant++) {
+        const int given = variant & 1, weighted = variant & 2;
+        double P[2 * MANY], s[MANY];
+        const cagd_spline truth = {3, 5, 2, knots, C, weighted ? heavy : NULL};
+        for (int i = 0; i < MANY; i++) {
+            s[i] = 0.005;
+            assert_int_equal(
+                cagd_spline_point(&truth, i / (MANY - 1.0), i + 1 < MANY ? CAGD_RIGHT : CAGD_LEFT, P + 2 * i), CAGD_OK);
+            for (int x = 0; x < 2; x++)
+                P[2 * i + x] += 0.005 / 1.5 * noise_told(2 * i + x + 3);
+        }
+        const cagd_fit_data d = {MANY, 2, P, given ? s : NULL};
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *without, *with, *r;
+        o.degree = 3, o.count = 5, o.free = 6;
+        assert_int_equal(cagd_fit(&d, &o, &without, NULL), CAGD_OK);
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        o.free = 7;
+        assert_int_equal(cagd_fit(&d, &o, &with, NULL), CAGD_OK);
+        o.free = 6;
+        assert_int_equal(fit_test_weights(&d, &o, 0, &r, NULL), CAGD_OK);
+        const cagd_fit_found *f = &r->found;
+        assert_int_equal(f->weights_number, 4);
+        assert_int_equal(f->weights_freedom, without->degrees_of_freedom - 4);
+        assert_true(fabs(f->weights_probability -
+                         fit_f_probability(f->weights_ratio, 4, given ? 1e9 : f->weights_freedom)) < 1e-12);
+        assert_int_equal(f->weights, weighted ? 1 : 0);
+        if (weighted) {
+            assert_true(fabs(r->chi_squared / with->chi_squared - 1) < 1e-6 &&
+                        r->interval_by[0] == CAGD_FIT_INTERVAL_NOT_SOUGHT);
+        } else { /* the cost falls by about what the linear model says */
+            const double fall = without->chi_squared - with->chi_squared,
+                         ratio = given ? fall / 4 : fall / 4 / (with->chi_squared / f->weights_freedom);
+            assert_true(fabs(f->weights_ratio / ratio - 1) < 0.1 && f->weights_probability > 0.05);
+            assert_true(r->interval_by[0] == without->interval_by[0] && r->scale_squared == without->scale_squared);
+        }
+        /* What is not asked: with a smoothing term, a robust loss, feet in order, of one segment, of no minimum. */
+        for (int k = 0; k < 7; k++) {
+            cagd_fit_options other = o;
+            cagd_fit_result same = *without, *one = &same;
+            other.loss = k == 0 ? CAGD_FIT_HUBER : CAGD_FIT_SQUARES, other.smooth = k == 1 ? 1 : 0,
+            other.monotone = k == 2;
+            same.termination = k == 3 ? CAGD_FIT_NOT_CONVERGED : CAGD_FIT_CONVERGED, same.points_on_curve = k == 4;
+            same.found.smoothed = k == 5, same.found.ellipse.known = k == 6;
+            assert_int_equal(fit_test_weights(&d, &other, 0, &one, NULL), CAGD_OK);
+            assert_true(one == &same && same.found.weights == -1);
+        }
+        cagd_fit_free(without);
+        cagd_fit_free(with);
+        cagd_fit_free(r);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -2325,6 +2971,15 @@ int main(void)
         cmocka_unit_test(random_weights_are_within_their_bounds),
         cmocka_unit_test(errors_of_whole_circles),
         cmocka_unit_test(arcs_of_ellipses),
+        cmocka_unit_test(circles_have_their_errors),
+        cmocka_unit_test(ellipses_have_their_errors),
+        cmocka_unit_test(cures_are_tried_in_their_order),
+        cmocka_unit_test(cures_of_what_was_chosen),
+        cmocka_unit_test(what_helps_is_the_last),
+        cmocka_unit_test(choices_that_are_refused),
+        cmocka_unit_test(closed_curves_are_chosen),
+        cmocka_unit_test(candidates_are_told),
+        cmocka_unit_test(weights_are_tested),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
