@@ -174,7 +174,7 @@ class Files(Room):
 
 class Fit(Room):
     optimised = "-O2"
-    tests = {"test_fit_statistics": ["proofs-tests/unit/test_fit_statistics"], "test_fit_parts": ["proofs-tests/unit/test_fit_parts"],
+    tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_fit_statistics test_fit_parts test_fit_monotone test_fit_choices".split()},
              "test_certified": ["proofs-tests/fit/test_certified", ROOT / "proofs-tests/fit/problems",
                                 *(p.stem for p in sorted((ROOT / "proofs-tests/fit/problems").glob("*.json")) if p.stem != "twenty-thousand")],
              "test_fit": ["proofs-tests/unit/test_fit"], "test_circle": ["proofs-tests/fit/test_circle", "20"], "test_coverage": ["proofs-tests/fit/test_coverage"],

@@ -1,0 +1,462 @@
+/* test_fit_choices.c -- which curve is chosen, and what is tried where a fit is not good: small sets of points. */
+#include "core/fit/cagd_fit.h"
+#include "core/fit/candidate.h"
+#include "core/fit/quantile.h"
+#include "core/fit/weights.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { MOST_AROUND = 400 };
+static double ring[3 * MOST_AROUND];
+
+/* So many points around a circle, from the angle `from` on, `turn` degrees from one to the next, in a plane of space for dim 3. */
+static cagd_fit_data on_circle(int n, int dim, double from, double turn)
+{
+    for (int i = 0; i < n; i++) {
+        const double phi = (from + turn * i) * acos(-1) / 180, x = 7 + 2 * cos(phi), y = -3 + 2 * sin(phi);
+        ring[i * dim] = x, ring[i * dim + 1] = dim == 2 ? y : 0.6 * y;
+        if (dim == 3)
+            ring[i * dim + 2] = 0.8 * y;
+    }
+    return (cagd_fit_data){n, dim, ring, NULL};
+}
+
+/* As good as normal, of variance 1, the same for every i: the sum of twelve even numbers, by splitmix64. */
+static double noise_told(int i)
+{
+    double sum = -6;
+    for (int k = 0; k < 12; k++) {
+        uint64_t z = ((uint64_t)i * 12 + (uint64_t)k + 1) * 0x9e3779b97f4a7c15u;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        sum += (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    }
+    return sum;
+}
+
+/* ---- what cures a fit ---------------------------------------------------------------------------------------------------- */
+
+static void scatter(int n, double size, double P[])
+{
+    for (int i = 0; i < n; i++) {
+        const double u = (double)i / (n - 1);
+        P[2 * i] = u + size * noise_told(2 * i + 1), P[2 * i + 1] = u * (1 - u) + size * noise_told(2 * i + 2);
+    }
+}
+
+/* A letter for each cure that was tried, and behind it what of options and choices is not what the fit had. */
+static void tell_trials(const cagd_fit_cures *cures, const cagd_fit_options *o, const cagd_fit_choices *c, char *text,
+                        size_t room)
+{
+    char *at = text, *end = text + room;
+    *at = 0;
+#define TELL(what, now, before)                                                                                        \
+    if ((now) != (before))                                                                                             \
+    at += snprintf(at, (size_t)(end - at), " %s %.4g", what, (double)(now))
+    for (int k = 0; k < cures->count; k++) {
+        const cagd_fit_trial *t = &cures->trial[k];
+        at += snprintf(at, (size_t)(end - at), "%s%c", k > 0 ? ", " : "", "ISNBHUMOCLDAGJ"[t->cure]);
+        TELL("degree", t->options.degree, o->degree);
+        TELL("count", t->options.count, o->count);
+        TELL("iterations", t->options.max_iterations, o->max_iterations);
+        TELL("starts", t->options.starts, o->starts);
+        TELL("free", t->options.free, o->free);
+        TELL("unordered", t->options.unordered, o->unordered);
+        TELL("monotone", t->options.monotone, o->monotone);
+        TELL("loss", t->options.loss, o->loss);
+        TELL("scale", t->options.loss_scale, o->loss_scale);
+        TELL("low", t->options.weight_low, o->weight_low);
+        TELL("high", t->options.weight_high, o->weight_high);
+        TELL("smooth", t->options.smooth, o->smooth);
+        TELL("silent", t->options.without_intervals, o->without_intervals);
+        TELL("form", t->choices.form, c->form);
+        TELL("number", t->choices.count, c->count);
+        TELL("degrees", t->choices.degree, c->degree);
+        TELL("weights", t->choices.weights, c->weights);
+        TELL("smoothed", t->choices.smooth, c->smooth);
+        TELL("closed", t->choices.closed, c->closed);
+        assert_true(t->options.after_start == o->after_start && t->minimum == (t->problems != ~0));
+        assert_true(t->minimum ? t->rms > 0 : 1);
+    }
+#undef TELL
+}
+
+static void no_start(void *context, int ended, int starts) { (void)context, (void)ended, (void)starts; }
+
+/* What is tried of a fit that is no minimum, or of which something else is said, on points that scatter so much that nothing helps: all of it, in its order, and what
+ * each asks for.  I iterations, S starts, N without weights, B bounds, H Huber, J Huber with a spline, U unordered, M monotone, O smoothed, C another number of
+ * control points, L lighter, D degree, A automatic number, G degrees. */
+static void cures_are_tried_in_their_order(void **state)
+{
+    (void)state;
+    enum {
+        FAILED = 1,
+        REFUTED,
+        GIVEN_KNOTS = 4,
+        SMOOTHED = 8,
+        ORDERLESS = 16,
+        ROBUST = 32,
+        BOUNDED = 64,
+        ELLIPSE = 128,
+        CLOSED = 256
+    };
+    static const cagd_fit_choices plain = {.closed = 0};
+    static const struct {
+        int degree, count, free, how, problems, strays;
+        const char *tried;
+    } of[] = {
+        {3, 0, 7, FAILED, 0, 0, "I iterations 400, N free 6, B low 0.0625 high 16, U unordered 1, A number 1"},
+        {3, 0, 7, REFUTED | BOUNDED, 0, 0, "S starts 8, N free 6, U unordered 1, A number 1"},
+        {3, 0, 6, FAILED | REFUTED, 0, 0,
+         "I iterations 400, S starts 8, U unordered 1, O number 1 smoothed 1, A number 1"},
+        {3, 0, 6, 0, CAGD_FIT_STRUCTURE, 2,
+         "H loss 1 scale 0, D degree 4, D degree 5, A number 1, G degree 2 number 1 degrees 1"},
+        {3, 0, 6, ROBUST, CAGD_FIT_COARSE, 2, "D degree 4, D degree 5, A number 1, C count 5, C count 6"},
+        {3, 7, 6, GIVEN_KNOTS, CAGD_FIT_EXCURSIONS, 1, "U unordered 1, M monotone 1, O smoothed 1"},
+        {3, 7, 6, GIVEN_KNOTS | BOUNDED, CAGD_FIT_FAR, 0, "U unordered 1, O smoothed 1"},
+        {3, 7, 6, GIVEN_KNOTS | ROBUST, CAGD_FIT_BACKWARDS, 0, "U unordered 1, O smoothed 1"},
+        {3, 7, 6, GIVEN_KNOTS | ORDERLESS, CAGD_FIT_LOOPS, 0, "O smoothed 1"},
+        {3, 0, 6, 0, CAGD_FIT_GAPS, 0, ""},
+        {3, 0, 6, 0, CAGD_FIT_DEVIATIONS, 0, ""},
+        {3, 0, 6, 0, CAGD_FIT_GAPS | CAGD_FIT_DEVIATIONS, 1, "H loss 1 scale 0"},
+        {3, 0, 6, 0, 0, 1, "H loss 1 scale 0"},
+        {3, 0, 6, 0, 0, 0, ""},
+        {3, 0, 6, 0, CAGD_FIT_SIMPLE, 0, "A number 1"},
+        {3, 8, 6, 0, CAGD_FIT_LOOPS, 0, "U unordered 1, M monotone 1, O smoothed 1, C count 6, A count 0 number 1"},
+        {3, 6, 6, 0, CAGD_FIT_LOOPS, 0, "U unordered 1, M monotone 1, O smoothed 1, A count 0 number 1"},
+        {2, 6, 6, 0, CAGD_FIT_LOOPS, 0, "U unordered 1, M monotone 1, O smoothed 1, C count 4, A count 0 number 1"},
+        {2, 6, 6, ELLIPSE, CAGD_FIT_LOOPS, 0, "U unordered 1, M monotone 1, O smoothed 1, A count 0 number 1"},
+        {3, 7, 6, GIVEN_KNOTS, CAGD_FIT_LOOPS | CAGD_FIT_COARSE, 1,
+         "H loss 1 scale 0, U unordered 1, M monotone 1, O smoothed 1"},
+        {3, 6, 6, SMOOTHED, CAGD_FIT_STRUCTURE | CAGD_FIT_COARSE, 0,
+         "L smooth 0.004, L smooth 4e-05, A count 0 number 1, G degree 2 degrees 1"},
+        {3, 6, 6, SMOOTHED, CAGD_FIT_LOOPS, 0, "U unordered 1, M monotone 1, A count 0 number 1"},
+        {1, 0, 6, 0, CAGD_FIT_COARSE | CAGD_FIT_LOOPS, 0,
+         "U unordered 1, M monotone 1, D degree 2, D degree 3, G degree 2 number 1 degrees 1"},
+        {2, 5, 6, CLOSED, CAGD_FIT_COARSE | CAGD_FIT_LOOPS, 0,
+         "U unordered 1, M monotone 1, O smoothed 1, A count 0 number 1, C count 6, C count 7, G degrees 1"},
+
+    };
+    enum { MANY = 14 };
+    double P[2 * MANY], knots[] = {0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1};
+    char text[2000];
+    scatter(MANY, 0.2, P);
+    const cagd_fit_data d = {MANY, 2, P, NULL};
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        cagd_fit_options o = cagd_fit_defaults(), first;
+        cagd_fit_result *r;
+        cagd_fit_cures cures;
+        cagd_fit_quality q = {.problems = of[k].problems, .strays = of[k].strays};
+        o.degree = of[k].degree, o.count = of[k].count, o.free = of[k].free, o.max_iterations = 40,
+        o.after_start = no_start;
+        o.knots = of[k].how & GIVEN_KNOTS ? knots : NULL, o.smooth = of[k].how & SMOOTHED ? 0.0367 : 0;
+        o.loss = of[k].how & ROBUST ? CAGD_FIT_CAUCHY : CAGD_FIT_SQUARES, o.unordered = of[k].how & ORDERLESS ? 1 : 0;
+        o.weight_low = of[k].how & BOUNDED ? 0.5 : 0, o.closed = of[k].how & CLOSED ? 1 : 0;
+        first = o, first.without_intervals = 1;
+        assert_int_equal(cagd_fit(&d, &first, &r, NULL), CAGD_OK);
+        r->termination = of[k].how & FAILED ? CAGD_FIT_NOT_CONVERGED : CAGD_FIT_CONVERGED,
+        r->refuted = (of[k].how & REFUTED) != 0;
+        r->found.ellipse.known = (of[k].how & ELLIPSE) != 0;
+        assert_int_equal(cagd_fit_cures_of(&d, &o, &plain, r, &q, &cures), CAGD_OK);
+        tell_trials(&cures, &o, &plain, text, sizeof text);
+        assert_string_equal(text, of[k].tried);
+        assert_true(cures.best == -1 && !cures.too_many);
+        cagd_fit_free(r);
+    }
+}
+
+/* What everything is open for is tried with a spline, as many control points as there are points for; what is far off asks for Huber's loss alone. */
+static void cures_of_what_was_chosen(void **state)
+{
+    (void)state;
+    enum { MANY = 14 };
+    double P[2 * MANY];
+    char text[2000];
+    scatter(MANY, 0.2, P);
+    cagd_fit_data d = {MANY, 2, P, NULL};
+    const cagd_fit_choices all = cagd_fit_choices_all();
+    cagd_fit_options o = cagd_fit_defaults();
+    static const struct {
+        int problems, strays;
+        double within;
+        const char *tried;
+    } of[] = {{0, 1, 0, "H loss 1 scale 0, J degree 3 free 6 loss 1 scale 0 form 0"},
+              {CAGD_FIT_LOOPS, 0, 0,
+               "U unordered 1, M degree 3 free 6 monotone 1 form 0, O degree 3 free 6 form 0 smoothed 1"},
+              {CAGD_FIT_LOOPS | CAGD_FIT_COARSE, 1, 0.5,
+               "H loss 1 scale 0, U unordered 1, M degree 3 free 6 monotone 1 form 0"}};
+    for (int k = 0; k < 3; k++) {
+        cagd_fit_choices c = all;
+        cagd_fit_result *r;
+        cagd_fit_cures cures;
+        cagd_fit_quality q = {.problems = of[k].problems, .strays = of[k].strays};
+        o.max_iterations = 40, c.within = of[k].within;
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        r->found.ellipse.known = 1; /* so that no number of control points is fewer */
+        r->termination = CAGD_FIT_CONVERGED;
+        assert_int_equal(cagd_fit_cures_of(&d, &o, &c, r, &q, &cures), CAGD_OK);
+        tell_trials(&cures, &o, &c, text, sizeof text);
+        assert_string_equal(text, of[k].tried);
+        /* Too many points or control points, and nothing free: nothing is tried. */
+        d.count = CAGD_FIT_MOST_TRIED + 1;
+        assert_int_equal(cagd_fit_cures_of(&d, &o, &c, r, &q, &cures), CAGD_OK);
+        assert_true(cures.too_many && cures.count == 0 && cures.best == -1);
+        d.count = MANY, r->curve.count = CAGD_FIT_MOST_TRIED_CONTROL_POINTS + 1;
+        assert_int_equal(cagd_fit_cures_of(&d, &o, &c, r, &q, &cures), CAGD_OK);
+        assert_true(cures.too_many && cures.count == 0);
+        cagd_fit_options feet = o;
+        feet.free = 0;
+        assert_int_equal(cagd_fit_cures_of(&d, &feet, &c, r, &q, &cures), CAGD_OK);
+        assert_true(!cures.too_many && cures.count == 0 && cures.best == -1);
+        cagd_fit_free(r);
+    }
+}
+
+/* A fit that stopped too early is cured by the first thing that is tried, and nothing else is; feet that fall back ask for both. */
+static void what_helps_is_the_last(void **state)
+{
+    (void)state;
+    enum { MANY = 60 };
+    double P[2 * MANY];
+    scatter(MANY, 0.005, P);
+    const cagd_fit_data d = {MANY, 2, P, NULL};
+    const cagd_fit_choices plain = {.closed = 0};
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_result *r;
+    cagd_fit_cures cures;
+    for (int k = 0; k < 3; k++) {
+        const cagd_fit_quality q = {.problems = k == 0 ? 0 : k == 1 ? CAGD_FIT_LOOPS : CAGD_FIT_BACKWARDS};
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        r->termination = k == 0 ? CAGD_FIT_NOT_CONVERGED : CAGD_FIT_CONVERGED;
+        assert_int_equal(cagd_fit_cures_of(&d, &o, &plain, r, &q, &cures), CAGD_OK);
+        assert_int_equal(cures.best, 0);
+        assert_int_equal(cures.count, k == 2 ? 2 : 1);
+        assert_int_equal(cures.trial[0].cure, k == 0 ? CAGD_FIT_CURE_ITERATIONS : CAGD_FIT_CURE_UNORDERED);
+        assert_true(cures.trial[0].minimum && cures.trial[0].problems == 0 &&
+                    fabs(cures.trial[0].rms / r->rms - 1) < 1e-6);
+        assert_true(k < 2 || cures.trial[1].cure == CAGD_FIT_CURE_MONOTONE);
+        cagd_fit_free(r);
+    }
+}
+
+/* ---- which curve is chosen -------------------------------------------------------------------------------------------------- */
+
+static cagd_fit_result *chosen(const cagd_fit_data *d, const cagd_fit_options *o, const cagd_fit_choices *c)
+{
+    cagd_fit_result *r;
+    int where = 99;
+    assert_int_equal(cagd_fit_choose(d, o, c, &r, &where), CAGD_OK);
+    assert_true(r != NULL && where == -1 && r->found.chosen);
+    return r;
+}
+
+static void choices_that_are_refused(void **state)
+{
+    (void)state;
+    double P[40];
+    scatter(20, 0.01, P);
+    const cagd_fit_data d = {20, 2, P, NULL}, none = {20, 2, NULL, NULL};
+    const cagd_fit_options o = cagd_fit_defaults();
+    const cagd_fit_choices all = cagd_fit_choices_all();
+    assert_true(all.closed == -1 && all.form == 1 && all.count == 1 && all.degree == 0 && all.weights == 1 &&
+                all.smooth == 2 && all.within == 0);
+    cagd_fit_result *r;
+    int where;
+#define REFUSED(data, options, choices, status, place)                                                                 \
+    do {                                                                                                               \
+        r = (cagd_fit_result *)P, where = 99;                                                                          \
+        assert_int_equal(cagd_fit_choose(data, options, choices, &r, &where), status);                                 \
+        assert_true(r == NULL && where == (place));                                                                    \
+    } while (0)
+    REFUSED(NULL, &o, &all, CAGD_NULL, -1);
+    REFUSED(&d, NULL, &all, CAGD_NULL, -1);
+    REFUSED(&d, &o, NULL, CAGD_NULL, -1);
+    REFUSED(&none, &o, &all, CAGD_NULL, -1);
+    assert_int_equal(cagd_fit_choose(&d, &o, &all, NULL, &where), CAGD_NULL);
+    cagd_fit_choices c = all;
+    c.within = -1;
+    REFUSED(&d, &o, &c, CAGD_BAD_OPTION, -1);
+    c.within = NAN;
+    REFUSED(&d, &o, &c, CAGD_BAD_OPTION, -1);
+    c.within = INFINITY;
+    REFUSED(&d, &o, &c, CAGD_BAD_OPTION, -1);
+    static const double knots[] = {0, 0, 0, 0.5, 1, 1, 1};
+    cagd_fit_options given = o;
+    given.count = 4, given.knots = knots, given.free = 6;
+    c = (cagd_fit_choices){.degree = 1};
+    REFUSED(&d, &given, &c, CAGD_BAD_OPTION, -1);
+    given = o, given.tolerance = 0;
+    REFUSED(&d, &given, &all, CAGD_BAD_OPTION, -1);
+    P[27] = NAN;
+    REFUSED(&d, &o, &all, CAGD_BAD_DATA, 13);
+#undef REFUSED
+}
+
+/* Points that come back are closed where that is open or asked, and are not where it is not; a last one that repeats the first is left out. */
+static void closed_curves_are_chosen(void **state)
+{
+    (void)state;
+    for (int closed = -1; closed <= 1; closed++)
+        for (int repeated = 0; repeated < 2; repeated++) {
+            const cagd_fit_data d = on_circle(24 + repeated, 2, 30, 15);
+            cagd_fit_options o = cagd_fit_defaults();
+            cagd_fit_choices c = {.closed = closed};
+            o.degree = 3, o.count = 8, o.free = 6;
+            cagd_fit_result *r = chosen(&d, &o, &c);
+            assert_int_equal(r->found.closing, closed == 0 ? CAGD_FIT_OPEN
+                                               : repeated  ? CAGD_FIT_REPEATED
+                                                           : CAGD_FIT_AROUND);
+            assert_int_equal(r->period, closed ? 8 : 0);
+            assert_int_equal(r->count, closed ? 24 : 24 + repeated);
+            cagd_fit_free(r);
+            c.form = 1;
+            r = chosen(&d, &o, &c);
+            assert_true(!r->found.ellipse.known || (r->found.ellipse.whole && r->found.ellipse.circle));
+            assert_true(closed == 0 || r->found.ellipse.known);
+            cagd_fit_free(r);
+        }
+    const cagd_fit_data arc = on_circle(24, 2, 30, 5);
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_choices c = {.closed = -1};
+    o.degree = 3, o.count = 8, o.free = 6;
+    cagd_fit_result *r = chosen(&arc, &o, &c);
+    assert_true(r->found.closing == CAGD_FIT_OPEN && r->period == 0);
+    cagd_fit_free(r);
+}
+
+/* Of a parabola the conic alone, of a line the line before the conic, of degrees each with its number; each candidate with its own score, and the best one first. */
+static void candidates_are_told(void **state)
+{
+    (void)state;
+    enum { MANY = 80 };
+    double P[2 * MANY];
+    cagd_fit_data d = {MANY, 2, P, NULL};
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_choices c = cagd_fit_choices_all();
+    o.without_intervals = 1;
+    scatter(MANY, 0.004, P);
+    cagd_fit_result *r = chosen(&d, &o, &c);
+    assert_true(r->found.candidates == 1 && r->curve.degree == 2 && r->curve.count == 3);
+    assert_string_equal(r->found.candidate[0].name, "a conic in one segment");
+    assert_true(r->found.candidate[0].converged && r->found.candidate[0].problems == 0 &&
+                r->found.candidate[0].unknowns == 7);
+    assert_true(r->found.candidate[0].score == fit_score(&d, r) && r->found.candidate[0].rms == r->rms);
+    cagd_fit_free(r);
+    for (int i = 0; i < MANY; i++)
+        P[2 * i + 1] = 0.3 * P[2 * i] + 0.004 * noise_told(2 * i + 2);
+    r = chosen(&d, &o, &c);
+    assert_true(r->curve.degree == 1 && r->found.candidates == 2);
+    assert_string_equal(r->found.candidate[0].name, "a straight line");
+    assert_string_equal(r->found.candidate[1].name, "a conic in one segment");
+    assert_true(r->found.candidate[0].score == fit_score(&d, r) && r->found.candidate[0].unknowns == 4);
+    cagd_fit_free(r);
+    scatter(MANY, 0.004, P);
+    c = (cagd_fit_choices){.degree = 1};
+    o.free = 6;
+    for (int within = 0; within < 2; within++) {
+        c.within = within ? 0.05 : 0;
+        r = chosen(&d, &o, &c);
+        assert_int_equal(r->found.candidates, 4);
+        int seen = 0;
+        for (int k = 0; k < 4; k++) {
+            const cagd_fit_candidate *own = &r->found.candidate[k];
+            int degree = 0, count = 0;
+            assert_int_equal(sscanf(own->name, "degree %d with %d control points", &degree, &count), 2);
+            assert_true(degree >= 2 && degree <= 5 && count == degree + 1);
+            seen |= 1 << degree;
+            assert_true(!within || own->score == count);
+            assert_true(own->unknowns == 2 * count && own->converged);
+        }
+        assert_int_equal(seen, 4 + 8 + 16 + 32);
+        assert_true(r->found.candidate[0].score == (within ? r->curve.count : fit_score(&d, r)));
+        assert_int_equal(r->curve.degree, 2);
+        cagd_fit_free(r);
+    }
+    o.count = 4; /* enough for degrees 2 and 3 */
+    r = chosen(&d, &o, &c);
+    assert_int_equal(r->found.candidates, 2);
+    cagd_fit_free(r);
+}
+
+/* A spline that has weights, or has none: D, m and F of the test, and what becomes of scale and intervals. */
+static void weights_are_tested(void **state)
+{
+    (void)state;
+    enum { MANY = 120 };
+    static const double knots[] = {0, 0, 0, 0, 0.5, 1, 1, 1, 1}, C[] = {0, 0, 1, 2, 3, 2.5, 4, -1, 6, 1},
+                        heavy[] = {1, 4, 0.5, 3, 1};
+    for (int variant = 0; variant < 4; variant++) {
+        const int given = variant & 1, weighted = variant & 2;
+        double P[2 * MANY], s[MANY];
+        const cagd_spline truth = {3, 5, 2, knots, C, weighted ? heavy : NULL};
+        for (int i = 0; i < MANY; i++) {
+            s[i] = 0.005;
+            assert_int_equal(
+                cagd_spline_point(&truth, i / (MANY - 1.0), i + 1 < MANY ? CAGD_RIGHT : CAGD_LEFT, P + 2 * i), CAGD_OK);
+            for (int x = 0; x < 2; x++)
+                P[2 * i + x] += 0.005 / 1.5 * noise_told(2 * i + x + 3);
+        }
+        const cagd_fit_data d = {MANY, 2, P, given ? s : NULL};
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *without, *with, *r;
+        o.degree = 3, o.count = 5, o.free = 6;
+        assert_int_equal(cagd_fit(&d, &o, &without, NULL), CAGD_OK);
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        o.free = 7;
+        assert_int_equal(cagd_fit(&d, &o, &with, NULL), CAGD_OK);
+        o.free = 6;
+        assert_int_equal(fit_test_weights(&d, &o, 0, &r, NULL), CAGD_OK);
+        const cagd_fit_found *f = &r->found;
+        assert_int_equal(f->weights_number, 4);
+        assert_int_equal(f->weights_freedom, without->degrees_of_freedom - 4);
+        assert_true(fabs(f->weights_probability -
+                         fit_f_probability(f->weights_ratio, 4, given ? 1e9 : f->weights_freedom)) < 1e-12);
+        assert_int_equal(f->weights, weighted ? 1 : 0);
+        if (weighted) {
+            assert_true(fabs(r->chi_squared / with->chi_squared - 1) < 1e-6 &&
+                        r->interval_by[0] == CAGD_FIT_INTERVAL_NOT_SOUGHT);
+        } else { /* the cost falls by about what the linear model says */
+            const double fall = without->chi_squared - with->chi_squared,
+                         ratio = given ? fall / 4 : fall / 4 / (with->chi_squared / f->weights_freedom);
+            assert_true(fabs(f->weights_ratio / ratio - 1) < 0.1 && f->weights_probability > 0.05);
+            assert_true(r->interval_by[0] == without->interval_by[0] && r->scale_squared == without->scale_squared);
+        }
+        /* What is not asked: with a smoothing term, a robust loss, feet in order, of one segment, of no minimum. */
+        for (int k = 0; k < 7; k++) {
+            cagd_fit_options other = o;
+            cagd_fit_result same = *without, *one = &same;
+            other.loss = k == 0 ? CAGD_FIT_HUBER : CAGD_FIT_SQUARES, other.smooth = k == 1 ? 1 : 0,
+            other.monotone = k == 2;
+            same.termination = k == 3 ? CAGD_FIT_NOT_CONVERGED : CAGD_FIT_CONVERGED, same.points_on_curve = k == 4;
+            same.found.smoothed = k == 5, same.found.ellipse.known = k == 6;
+            assert_int_equal(fit_test_weights(&d, &other, 0, &one, NULL), CAGD_OK);
+            assert_true(one == &same && same.found.weights == -1);
+        }
+        cagd_fit_free(without);
+        cagd_fit_free(with);
+        cagd_fit_free(r);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cures_are_tried_in_their_order),
+        cmocka_unit_test(cures_of_what_was_chosen),
+        cmocka_unit_test(what_helps_is_the_last),
+        cmocka_unit_test(choices_that_are_refused),
+        cmocka_unit_test(closed_curves_are_chosen),
+        cmocka_unit_test(candidates_are_told),
+        cmocka_unit_test(weights_are_tested),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
