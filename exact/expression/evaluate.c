@@ -679,8 +679,8 @@ static cagd_value quotient(cagd_context *c, const cagd_tree *t, const frame *f)
     return cagd_is_zero_at_roots(c, b) ? cagd_divides_by_0(c, t) : cagd_value_div(a, b);
 }
 
-/* Whether t, of which the value was just asked for, has none because of divisions by 0 alone: with 0 in their place it has one.  Then it is as if it had not been asked
- * for; else what is wrong besides is known. */
+/* Whether t, of which the value was just asked for, has none because of divisions by 0 alone: with 0 in their place it has one.  Then it is
+ * as if it had not been asked for; else what is wrong besides is known. */
 static int is_divided_by_0_alone(cagd_context *c, const cagd_tree *t, const frame *f, const char *trouble,
                                  const cagd_tree *where)
 {

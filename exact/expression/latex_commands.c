@@ -527,7 +527,8 @@ static int is_conditional(const struct slice *t, int a, int b)
     return 1;
 }
 
-/* From k on: the \fi that belongs to what began before k, others being inside, goes to a..b; so does the \else before it, where `asked`.  0 where there is none. */
+/* From k on: the \fi that belongs to what began before k, others being inside, goes to a..b; or the \else before it, where `asked`.  0 where
+ * there is none. */
 static int end_of_conditional(struct expansion *x, const struct slice *t, int k, int asked, int *a, int *b)
 {
     for (int next, depth = 0; k < t->n && ++x->work < MOST_WORK; k = next) {
@@ -542,7 +543,8 @@ static int end_of_conditional(struct expansion *x, const struct slice *t, int k,
     return 0;
 }
 
-/* \iffalse ... \fi and \iffalse ... \else, which is at a..b up to \iffalse: behind them.  What stands behind \else is read, and the \fi behind it passed over. */
+/* Behind \iffalse ... \fi, or \iffalse ... \else, of which \iffalse is at a..b.  What stands behind \else is read, and the \fi behind that is
+ * passed over. */
 static int behind_false(struct expansion *x, const struct slice *t, int a, int b, int depth)
 {
     int from, to, fi, behind;
