@@ -1595,7 +1595,7 @@ static void points_that_are_far_off(void **state)
             for (int i = 0; i < 60; i++)
                 feet_told[i] = i / 6.0, distances_told[i] = i % 2 ? 0.1 : -0.1;
             const double deviation = 0.1 / 0.67448975019608174;
-            r.degrees_of_freedom = 1000000; /* so that the number of unknowns, 0, makes no difference */
+            r.effective = 0, r.degrees_of_freedom = 1000000; /* no unknowns */
             const int first = side ? 30 : 29;
             distances_told[29] = 3,
             distances_told[30] = side ? 3 : 6 * deviation; /* one that is half as far belongs to the jump */
@@ -1795,7 +1795,7 @@ static void outliers_by_the_median(void **state)
                     sum += k == n - 1 ? 0 : distances_told[i] * distances_told[i];
                 }
                 const cagd_fit_data d = {n, dim, points_told, given ? sigma_told : NULL};
-                r.rank = 3, r.degrees_of_freedom = 6, r.rms = 77;
+                r.rank = 3, r.effective = 3, r.degrees_of_freedom = 6, r.rms = 77;
                 const double median = n == 9 ? 5 : 5.5, of_normal = dim == 2 ? 0.67448975019608174 : sqrt(2 * log(2));
                 const double wanted = median / of_normal * sqrt(1 + 3 / 6.0);
                 assert_true(fabs(fit_robust_deviation(&d, &r) / wanted - 1) < 1e-14);

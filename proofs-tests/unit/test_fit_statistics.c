@@ -723,13 +723,16 @@ int main(void)
                                        cmocka_unit_test(estimates_with_their_intervals),
                                        cmocka_unit_test(which_conic),
                                        cmocka_unit_test(a_weight_that_is_zero),
-                                       cmocka_unit_test(which_curves_turn_as_at_a_cusp)};
-    cmocka_unit_test(which_curves_turn_as_at_a_cusp), cmocka_unit_test(probabilities_of_f),
-        cmocka_unit_test(losses_are_what_they_are_called), cmocka_unit_test(equations_of_space_and_of_closed_curves),
-        cmocka_unit_test(invariants_depend_on_three_weights), cmocka_unit_test(a_type_is_as_certain_as_its_interval),
-        cmocka_unit_test(what_is_known_of_the_type), cmocka_unit_test(a_line_is_told_by_the_height_of_the_middle_point),
-        cmocka_unit_test(intervals_are_as_they_were_found), cmocka_unit_test(the_finest_coordinate),
-        cmocka_unit_test(the_sharpest_turn_is_told)
-};
-return cmocka_run_group_tests(tests, NULL, NULL);
+                                       cmocka_unit_test(which_curves_turn_as_at_a_cusp),
+                                       cmocka_unit_test(probabilities_of_f),
+                                       cmocka_unit_test(losses_are_what_they_are_called),
+                                       cmocka_unit_test(equations_of_space_and_of_closed_curves),
+                                       cmocka_unit_test(invariants_depend_on_three_weights),
+                                       cmocka_unit_test(a_type_is_as_certain_as_its_interval),
+                                       cmocka_unit_test(what_is_known_of_the_type),
+                                       cmocka_unit_test(a_line_is_told_by_the_height_of_the_middle_point),
+                                       cmocka_unit_test(intervals_are_as_they_were_found),
+                                       cmocka_unit_test(the_finest_coordinate),
+                                       cmocka_unit_test(the_sharpest_turn_is_told)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
 }
