@@ -914,6 +914,81 @@ static void what_is_not_known_of_a_source(void **state)
     }
 }
 
+/* Of three statements any that does not follow is enough, in the ledger, in a report and on pages; and so is any of three claims. */
+static void one_that_went_wrong_is_enough(void **state)
+{
+    (void)state;
+    char folder[] = "/tmp/test_command_XXXXXX", command[128], *out;
+    assert_non_null(mkdtemp(folder));
+    for (int wrong = 0; wrong <= 3; wrong++) {
+        statement three_of[4] = {{.id = NULL}};
+        static const char *const id[] = {"book:1", "book:2", "book:3"};
+        for (int k = 0; k < 3; k++) {
+            three_of[k] = lost_statements[k == wrong];
+            three_of[k].id = id[k];
+        }
+        cagd_register reg = good;
+        reg.statements = three_of;
+        const int code = wrong < 3 ? EXIT_NOT_AS_EXPECTED : EXIT_AS_EXPECTED;
+        assert_int_equal(CALL(ledger, &reg, &out, "-j1"), code);
+        free(out);
+        assert_int_equal(CALL(ledger, &reg, &out, "-j1", "--json"), code);
+        free(out);
+        assert_int_equal(CALL(verify, &reg, &out, "-j1", "--report", folder), code);
+        free(out);
+        assert_int_equal(CALL(show, &reg, &out, "book:1", "book:2", "book:3"), code);
+        free(out);
+        claim list[4] = {{.name = NULL}};
+        static const char *const name[] = {"a_claim", "b_claim", "c_claim"};
+        for (int k = 0; k < 3; k++) {
+            list[k] = few_claims[k == wrong ? 2 : 3];
+            list[k].name = name[k];
+        }
+        const cagd_register of_claims = {list, bad_statements, chapters, figures, sources, NULL, NULL, NULL};
+        assert_int_equal(CALL(verify, &of_claims, &out, "-j1"), code);
+        free(out);
+        assert_int_equal(CALL(show, &of_claims, &out, "a_claim", "b_claim", "c_claim"), code);
+        free(out);
+    }
+    /* A part of no claims has certificates of none, in a folder that can be made. */
+    snprintf(command, sizeof command, "touch '%s/claims'", folder);
+    assert_int_equal(system(command), 0);
+    assert_int_equal(CALL(verify, &good, &out, "-j1", "--shard", "1000/1000", "--certificates", folder), EXIT_INTERNAL);
+    free(out);
+    snprintf(command, sizeof command, "rm -r '%s'", folder);
+    assert_int_equal(system(command), 0);
+}
+
+/* A page tells the statements of its claim, and not of one whose name begins so or is the beginning of it. */
+static void statements_are_those_of_the_claim(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"sum", "sum_is", "sum_is_double", "is_double"};
+    enum { NAMES = sizeof name / sizeof *name };
+    claim list[NAMES + 1] = {{.name = NULL}};
+    statement of_each[NAMES + 1] = {{.id = NULL}};
+    statement_link links[NAMES][2];
+    char id[NAMES][16], *out;
+    for (int k = 0; k < NAMES; k++) {
+        list[k] = claims[0];
+        list[k].name = name[k];
+        links[k][0] = (statement_link){HOLDS_BY, name[k], NULL, "", NULL};
+        links[k][1] = (statement_link){HOLDS_BY, NULL, NULL, NULL, NULL};
+        snprintf(id[k], sizeof id[k], "book:%d", k + 1);
+        of_each[k] = good_statements[0];
+        of_each[k].id = id[k], of_each[k].links = links[k];
+    }
+    const cagd_register reg = {list, of_each, chapters, figures, sources, NULL, NULL, NULL};
+    for (int k = 0; k < NAMES; k++) {
+        char of_claim[32];
+        snprintf(of_claim, sizeof of_claim, "first.%s", name[k]);
+        assert_int_equal(CALL(show, &reg, &out, of_claim), EXIT_AS_EXPECTED);
+        for (int m = 0; m < NAMES; m++)
+            assert_int_equal(strstr(out, id[m]) != NULL, m == k);
+        free(out);
+    }
+}
+
 /* Each number type is named whose control was not caught, in their order, and none that did not run. */
 static void controls_that_were_not_caught_are_named(void **state)
 {
@@ -1301,6 +1376,8 @@ int main(void)
         unit(the_three_most_striking_are_reported),
         unit(sources_are_found_by_their_whole_key),
         unit(an_error_that_is_no_number),
+        unit(one_that_went_wrong_is_enough),
+        unit(statements_are_those_of_the_claim),
         unit(controls_that_were_not_caught_are_named),
         unit(everything_that_went_wrong_is_told),
         unit(counterexamples_that_are_none),
