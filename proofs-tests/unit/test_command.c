@@ -959,6 +959,27 @@ static void one_that_went_wrong_is_enough(void **state)
     assert_int_equal(system(command), 0);
 }
 
+/* Several data and several results of a striking statement; a summary tells what is read from its print, too. */
+static void lists_of_the_ledger(void **state)
+{
+    (void)state;
+    claim list[] = {five, {.name = NULL}};
+    const statement one[] = {
+        {STATEMENT("1", "book", 1, "false", "", "", ""), .striking = 1, .links = FALSE_BY("three_is_five")},
+        {.id = NULL}};
+    const cagd_register reg = {list, one, chapters, figures, sources, NULL, printed_ids, NULL};
+    char *out;
+    assert_int_equal(CALL(ledger, &reg, &out, "-j1", "--striking", "1"), EXIT_AS_EXPECTED);
+    assert_non_null(strstr(out, "\n      x = 3; y = 1/2 gives x + y = 7/2; x - y = 5/2\n"));
+    free(out);
+    for (int summary = 0; summary < 2; summary++) {
+        assert_int_equal(CALL(ledger, &reg, &out, "-j1", summary ? "--summary" : "book:1"), EXIT_AS_EXPECTED);
+        assert_non_null(strstr(out, "\n1 of 1 statements are read from their print as well"));
+        assert_null(strstr(out, "creative telescoping"));
+        free(out);
+    }
+}
+
 /* A page tells the statements of its claim, and not of one whose name begins so or is the beginning of it. */
 static void statements_are_those_of_the_claim(void **state)
 {
@@ -1377,6 +1398,7 @@ int main(void)
         unit(sources_are_found_by_their_whole_key),
         unit(an_error_that_is_no_number),
         unit(one_that_went_wrong_is_enough),
+        unit(lists_of_the_ledger),
         unit(statements_are_those_of_the_claim),
         unit(controls_that_were_not_caught_are_named),
         unit(everything_that_went_wrong_is_told),

@@ -657,6 +657,31 @@ static void what_came_out_is_shown(void **state)
     made_a_mistake(&T, NULL);
 }
 
+/* An entry is found by its whole name, whatever others begin so and wherever they stand. */
+static void entries_are_found_by_their_whole_names(void **state)
+{
+    (void)state;
+    const datum list[] = {{ONE_VALUE("xyz", "1")},
+                          {ONE_VALUE("x", "2")},
+                          {ONE_VALUE("xy", "3")},
+                          {ONE_VALUE("xyz", "4"), .place = IN_RESULT},
+                          {ONE_VALUE("xy", "5"), .place = IN_RESULT},
+                          {ONE_VALUE("x", "6"), .place = IN_RESULT},
+                          {.name = NULL}};
+    static const char *const names[] = {"x", "xy", "xyz"};
+    static const int data[] = {2, 3, 1}, found[] = {6, 5, 4};
+    const claim c = {.name = "names", .scope = "", .data = list};
+    trial T = {.claim = &c};
+    for (int k = 0; k < 3; k++) {
+        assert_int_equal(given_whole(&T, names[k]), data[k]);
+        found_whole(&T, names[k], found[k]);
+        assert_false(T.mistaken);
+    }
+    assert_int_equal(given_whole(&T, "xyzw"), 0);
+    assert_true(T.mistaken);
+    forget_exhibits(T.shown, T.exhibits);
+}
+
 /* The first entry and the last count as any other. */
 static void what_nobody_asks_for(void **state)
 {
@@ -850,6 +875,7 @@ static void every_case_has_its_seed(void **state)
     assert_int_equal(r->by[RATIONAL_TYPE].outcome, FAILS);
     assert_int_equal(r->by[RATIONAL_TYPE].cases, 3);
     assert_true(r->by[RATIONAL_TYPE].seed == fnv(named) + 2);
+    assert_int_equal(r->by[RATIONAL_TYPE].degree_high, 3); /* no case was run behind it */
     free_results(r, 1);
 }
 
@@ -1044,6 +1070,7 @@ int main(void)
         unit(what_is_given),
         unit(what_is_found),
         unit(what_came_out_is_shown),
+        unit(entries_are_found_by_their_whole_names),
         unit(what_nobody_asks_for),
         unit(unable_confirms_nothing),
         unit(intervals_that_meet_are_no_decision),

@@ -1118,12 +1118,12 @@ static void a_crowded_field_is_recorded_anew(void **state)
     free_results(r, 1);
 }
 
-/* Twelve conditions of two facts; two inputs, in whose names a bracket stands. */
+/* Twelve conditions of two facts; three inputs, in the names of two a bracket stands. */
 static void many_facts_q(trial *T)
 {
-    num_q x = unknown_q(T, "x]", 0), y = unknown_q(T, "y", 0);
+    num_q x = unknown_q(T, "x]", 0), y = unknown_q(T, "y[", 0), z = unknown_q(T, "z", 0);
     for (int k = 0; k < 12; k++)
-        agree(T, cagd_testify_equal_q(add_q(x, from_int_q(T->planted)), x) && !is_zero_q(y));
+        agree(T, cagd_testify_equal_q(add_q(x, from_int_q(T->planted)), x) && !is_zero_q(add_q(y, z)));
 }
 static void what_is_recorded_is_counted(void **state)
 {
@@ -1134,7 +1134,7 @@ static void what_is_recorded_is_counted(void **state)
     int count;
     char *text = certificate_of_claim(r, &count, recorded);
     assert_int_equal(count, 1);
-    assert_int_equal(recorded[0].inputs, 2);
+    assert_int_equal(recorded[0].inputs, 3);
     assert_int_equal(recorded[0].facts, 24);
     int formulas = 0; /* beside each condition the one that combines its facts */
     for (const char *at = text; (at = strstr(at, "\"formula\":\"cagd_testify_equal_q(")) != NULL; at++)
@@ -1201,6 +1201,29 @@ static void nodes_are_compared_to_their_end(void **state)
     assert_non_null(strstr(text, "[\"+\",0,35]"));
     free(text);
     free_results(r, 1);
+}
+
+/* A claim is argued where its cases need words, and not where words add cases. */
+static void words_in_a_certificate(void **state)
+{
+    (void)state;
+    static const char *const words[][2] = {{"", ""}, {"words", ""}, {"words", "every n"}};
+    for (int k = 0; k < 3; k++) {
+        const claim c = {.name = "words",
+                         .scope = "",
+                         .argued = words[k][0],
+                         .argued_for = words[k][1],
+                         .kind = DECISION,
+                         .body = {[RATIONAL_TYPE] = degree_q}};
+        claim_result *r = judge_one(&c);
+        struct recorded_case recorded[MOST_RECORDED];
+        int count;
+        char *text = certificate_of_claim(r, &count, recorded);
+        assert_non_null(strstr(text, k == 1 ? "\"argued\":true" : "\"argued\":false"));
+        assert_non_null(strstr(text, "\"evidence\":\"decided\""));
+        free(text);
+        free_results(r, 1);
+    }
 }
 
 /* Of whatever role the first link is, a comma stands before the second. */
@@ -1670,6 +1693,7 @@ int main(void)
                                        unit(all_values_of_one_name_are_told),
                                        unit(rows_are_of_whole_phrases),
                                        unit(a_text_has_room_for_its_end),
+                                       unit(words_in_a_certificate),
                                        unit(what_is_said_of_data_behind_other_phrases),
                                        unit(the_table_is_kept),
                                        unit(every_pair_of_simple_numbers_is_tried),
