@@ -814,6 +814,104 @@ static void marsdens_identity(void **state)
     }
 }
 
+/* S(x, y) = l_1(x, y) l_2(x, y) of two lines, and what stands on it; Gram's determinant in every dimension; surfaces with two shape parameters and unequal degrees. */
+static void what_stands_on_other_kernels(void **state)
+{
+    (void)state;
+    for (int trial = 0; trial < 20; trial++) {
+        region_mark mark = region_open();
+        num_q l[9], S[6], x = random_q(), y = random_q(), v[3], lambda = random_q(), a[4], b[4], g[2];
+        fill(9, l), fill(4, a), fill(4, b);
+        for (int k = 0; k < 3; k++)
+            v[k] = add_q(add_q(mul_q(l[3 * k], x), mul_q(l[3 * k + 1], y)), l[3 * k + 2]);
+        line_pair_q(l, l + 3, S);
+        assert_true(cagd_equal_q(conic_value_q(S, x, y), mul_q(v[0], v[1])));
+        conic_gradient_q(S, x, y, g);
+        for (int k = 0; k < 2; k++)
+            assert_true(cagd_equal_q(g[k], add_q(mul_q(v[0], l[3 + k]), mul_q(v[1], l[k]))));
+        assert_true(cagd_is_zero_q(conic_determinant_q(S)));
+        conic_liming_q(lambda, l, l + 3, l + 6, S);
+        num_q expected = add_q(mul_q(sub_q(one(), lambda), mul_q(v[0], v[1])), mul_q(lambda, mul_q(v[2], v[2])));
+        assert_true(cagd_equal_q(conic_value_q(S, x, y), expected));
+        for (int dim = 1; dim <= MAX_DIM; dim++) {
+            num_q aa = zero(), ab = zero(), bb = zero();
+            for (int c = 0; c < dim; c++)
+                aa = add_q(aa, mul_q(a[c], a[c])), ab = add_q(ab, mul_q(a[c], b[c])), bb = add_q(bb, mul_q(b[c], b[c]));
+            assert_true(cagd_equal_q(gram_q(dim, a, b), sub_q(mul_q(aa, bb), mul_q(ab, ab))));
+            if (dim > 1)
+                assert_true(cagd_equal_q(curvature_squared_q(dim, a, b),
+                                         div_q(sub_q(mul_q(aa, bb), mul_q(ab, ab)), power(aa, 3))));
+        }
+        int n = 2 + trial % 3, m = 2 + trial / 3 % 4, dim = 1 + trial % MAX_DIM;
+        num_q P[5 * 6 * MAX_DIM], beta = random_q(), gamma = random_q(), u = from_ratio_q(2, 7),
+                                  w = from_ratio_q(-3, 5), B[6], C[6], near[6], far[6], out[MAX_DIM], Q[7 * MAX_DIM];
+        fill((n + 1) * (m + 1) * dim, P);
+        shape_basis_q(n, beta, u, B), shape_basis_q(m, gamma, w, C);
+        shape_factors_q(m, gamma, near, far);
+        for (int j = 0; j <= m; j++) { /* the basis by its definition */
+            num_q factor = add_q(mul_q(near[j], sub_q(one(), w)), mul_q(far[j], w));
+            assert_true(cagd_equal_q(C[j], mul_q(factor, mul_q(power(sub_q(one(), w), m - j), power(w, j)))));
+            num_q own = sub_q(choose(m - 2, j - 1), j >= 2 ? choose(m - 2, j - 2) : zero());
+            assert_true(cagd_equal_q(near[j], add_q(choose(m, j), mul_q(gamma, own))));
+            assert_true(cagd_equal_q(far[j], near[m - j]));
+        }
+        shape_surface_point_q(n, m, dim, P, beta, gamma, u, w, out);
+        for (int c = 0; c < dim; c++) {
+            num_q sum = zero();
+            for (int i = 0; i <= n; i++)
+                for (int j = 0; j <= m; j++)
+                    sum = add_q(sum, mul_q(mul_q(B[i], C[j]), P[(i * (m + 1) + j) * dim + c]));
+            assert_true(cagd_equal_q(out[c], sum));
+        }
+        num_q row[MAX_DIM]; /* a row of the net as a curve, and its Bézier points in degree m+1 */
+        shape_point_q(m, dim, P, gamma, w, out);
+        shape_bezier_points_q(m, dim, P, gamma, Q);
+        bezier_casteljau_q(m + 1, dim, Q, w, row);
+        same(dim, out, row);
+        for (int c = 0; c < dim; c++) {
+            num_q sum = zero();
+            for (int j = 0; j <= m; j++)
+                sum = add_q(sum, mul_q(C[j], P[j * dim + c]));
+            assert_true(cagd_equal_q(out[c], sum));
+        }
+        region_drop(mark);
+    }
+}
+
+/* The span of t among knots of every multiplicity, at both ends too: of those that are not empty the last that begins at or before t, from the left the
+ * first that ends at or behind it. */
+static void spans_by_their_definition(void **state)
+{
+    (void)state;
+    enum { KNOTS = 16 };
+    for (int trial = 0; trial < 200; trial++) {
+        int p = trial % 4, n = p + 1 + random_int(0, 6), where, group[KNOTS];
+        num_q u[KNOTS];
+        for (int i = 0, run = 1; i <= n + p; i++) {
+            int next = i == 0 || run == p + 1 || random_int(0, 2) == 0 || (i == n && group[n - 1] == group[p]);
+            group[i] = i == 0 ? 0 : group[i - 1] + next;
+            u[i] = from_ratio_q(2 * group[i], 3);
+            run = next ? 1 : run + 1;
+        }
+        assert_int_equal(check_knots_q(n, p, u, &where), CAGD_OK);
+        for (int twice = -1; twice <= 2 * group[n + p] + 1; twice++) { /* at the knots and between */
+            num_q t = from_ratio_q(twice, 3);
+            int right = -1, left = -1, times = 0;
+            for (int mu = p; mu < n; mu++)
+                if (group[mu] < group[mu + 1]) {
+                    right = 2 * group[mu] <= twice ? mu : right;
+                    left = left < 0 && twice <= 2 * group[mu + 1] ? mu : left;
+                }
+            for (int i = 0; i <= n + p; i++)
+                times += 2 * group[i] == twice;
+            int inside = 2 * group[p] <= twice && twice <= 2 * group[n];
+            assert_int_equal(find_span_q(n, p, u, t), inside ? right : -1);
+            assert_int_equal(find_span_left_q(n, p, u, t), inside ? left : -1);
+            assert_int_equal(multiplicity_q(n + p + 1, u, t), times);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {unit(points_of_a_curve),
@@ -832,6 +930,8 @@ int main(void)
                                        unit(interpolation_of_polynomials),
                                        unit(nodes_of_every_multiplicity),
                                        unit(resultants_of_any_degrees),
-                                       unit(marsdens_identity)};
+                                       unit(marsdens_identity),
+                                       unit(what_stands_on_other_kernels),
+                                       unit(spans_by_their_definition)};
     return run_unit_tests(tests);
 }
