@@ -452,6 +452,7 @@ static void every_function_refuses_what_is_none(void **state)
             assert_int_equal(where, -1);
             assert_int_equal(quantities[q].many(c, 2, t, CAGD_RIGHT, 0, NULL, (where = 9, &where)), CAGD_NULL);
             assert_int_equal(where, -1);
+            assert_int_equal(quantities[q].many(c, 0, NULL, CAGD_RIGHT, 0, results, NULL), CAGD_NULL);
             for (int count = -3; count <= 0; count++) {
                 assert_int_equal(quantities[q].many(c, count, t, CAGD_RIGHT, 0, results, (where = 9, &where)),
                                  count < 0 ? CAGD_COUNT : CAGD_OK);
