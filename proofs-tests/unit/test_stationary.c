@@ -881,6 +881,31 @@ static void points_at_the_ends(void **state)
             v = cagd_stationary_check(&problem);
             assert_true(!v.verified || v.point_radius > 0x1p-20);
         }
+    /* The same in space, along each axis: a point that differs in one coordinate is none in which the segment ends, and a coordinate that is not
+     * known makes the end unknown. */
+    for (int end = 0; end < 2; end++)
+        for (int along = 0; along < 3; along++) {
+            static const double line[] = {0, 0, 1, 1};
+            memcpy(knots, line, sizeof line);
+            memset(control, 0, sizeof control), memset(points, 0, 3 * sizeof *points);
+            control[3 * (1 - end) + along] = 8;
+            curve = (cagd_spline){1, 2, 3, knots, control, NULL};
+            data = (cagd_fit_data){1, 3, points, NULL};
+            feet[0] = end;
+            problem = (cagd_stationary_problem){
+                .data = &data, .curve = &curve, .feet = feet, .unknowns = 1, .unknown = unknown};
+            for (int c = 0; c < 3; c++) {
+                unknown[0] = (cagd_fit_unknown){0, end, c};
+                assert_true(cagd_stationary_enclosures(&problem, none, low, high, H, H_high, &where));
+                assert_true(H[0] <= 1 && H_high[0] >= 1);
+            }
+            unknown[0] = (cagd_fit_unknown){0, 1 - end, (along + 1) % 3}; /* by 1/16 from the end its part is 1/16 */
+            assert_true(cagd_stationary_enclosures(&problem, none, low, high, H, H_high, &where));
+            assert_true(H[0] == 0 && H_high[0] == 0);
+            points[along] = 0.5;
+            assert_true(cagd_stationary_enclosures(&problem, none, low, high, H, H_high, &where));
+            assert_true(H[0] <= 0x1p-8 && H_high[0] >= 0x1p-8 && H_high[0] - H[0] < 0x1p-16);
+        }
     /* Knots 0, 0, 1, 2, ...: the curve begins in no point of its polygon, and ends in none. */
     for (int end = 0; end < 2; end++)
         for (int equal = 0; equal < 2; equal++) {

@@ -55,6 +55,91 @@ static void ways_are_added_upward(void **state)
     assert_true(v.weight_alone < 2 && v.point_alone < 2 && v.weight_alone > 1.99 && v.point_alone > 1.99);
 }
 
+/* The largest of several ways, not the last; in the unit of the coordinates, and nothing below 0. */
+static void the_longest_way_counts(void **state)
+{
+    (void)state;
+    static const struct {
+        double way[4], unit, less; /* of two weights, then of two coordinates */
+    } list[] = {{{0.5, 0.25, 0, 0}, 4, 0.5}, {{0, 0, 1, 0.5}, 4, 0.25},      {{0.25, 0.5, 0.5, 1}, 4, 0.5},
+                {{0.5, 0.25, 6, 4}, 4, 1.5}, {{0.125, 0, 0, 0.25}, 0.25, 1}, {{3, 1, 1, 1}, 8, 3},
+                {{0, 0, 0, 0}, 4, 0}};
+    const cagd_fit_unknown unknown[] = {{1, 1, 0}, {1, 2, 0}, {0, 1, 0}, {0, 1, 1}};
+    const cagd_stationary_problem problem = {.unknowns = 4, .unknown = unknown};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        const double *way = list[k].way, tiny = 0x1p-40;
+        cagd_stationary_verdict v = {.weight_radius = 1, .point_radius = 2, .weight_alone = 2, .point_alone = 5};
+        add_way(&problem, way, list[k].unit, &v);
+        double weight = 1 + fmax(way[0], way[1]), point = 2 + fmax(way[2], way[3]);
+        assert_true(v.weight_radius >= weight && v.weight_radius < weight + tiny);
+        assert_true(v.point_radius >= point && v.point_radius < point + tiny);
+        weight = fmax(0, 2 - list[k].less), point = fmax(0, 5 - list[k].less * list[k].unit);
+        assert_true(v.weight_alone <= weight && v.weight_alone > weight - tiny && v.weight_alone >= 0);
+        assert_true(v.point_alone <= point && v.point_alone > point - tiny && v.point_alone >= 0);
+        if (list[k].less == 0)
+            assert_true(v.weight_radius == 1 && v.point_radius == 2 && v.weight_alone == 2 && v.point_alone == 5);
+    }
+    assert_true(radius_of(1, 0.5) == 2 && radius_of(3, 0) == 3 && radius_of(1, 0.75) == 4);
+    double third = radius_of(1, 0.625); /* 8/3, rounded up */
+    assert_true(third * 3 >= 8 && third < 8 / 3.0 + 0x1p-40);
+    assert_true(product_up(2, 3) > 6 && product_up(2, 3) < 6 + 0x1p-40);
+}
+
+/* A box of three unknowns with a Hessian and a gradient that are given. */
+static void fill(struct box *b, const double low[9], const double high[9], const double gradient[3])
+{
+    for (int m = 0; m < 9; m++)
+        mpfr_set_d(b->hessian[m].lo, low[m], MPFR_RNDD), mpfr_set_d(b->hessian[m].hi, high[m], MPFR_RNDU);
+    for (int a = 0; a < 3; a++)
+        mpfr_set_d(b->gradient[a].lo, gradient[a], MPFR_RNDD), mpfr_set_d(b->gradient[a].hi, gradient[a], MPFR_RNDU);
+}
+
+/* 1 - S W^T H W with its largest row in any place, and half of the widths of W^T H W; W^T g and W S W^T g. */
+static void contractions_and_steps(void **state)
+{
+    (void)state;
+    static const double knot[] = {0, 0, 1, 1}, points[] = {0, 0, 1, 1};
+    static const cagd_fit_unknown unknown[] = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+    const cagd_spline curve = {1, 2, 2, knot, points, NULL};
+    const cagd_fit_data data = {.dim = 2};
+    const cagd_stationary_problem problem = {.data = &data, .curve = &curve, .unknowns = 3, .unknown = unknown};
+    struct box b;
+    assert_true(cagd_stationary_box_new(&b, &problem));
+    /* W has the columns e_0, e_1 + e_2, which are exchanged, too; with H of diagonal 1, -1/4, -1/2 and others 1/16, 1/8, 1/32:
+     * W^T H W is (1, 3/16; 3/16, -3/4 + 2/32). */
+    static const double H[9] = {1, 0.0625, 0.125, 0.0625, -0.25, 0.03125, 0.125, 0.03125, -0.5}, g[3] = {1, -3, 0.5};
+    for (int exchanged = 0; exchanged < 2; exchanged++) {
+        double W[9] = {0}, newton[3], step[3], wide[9];
+        int sign[2] = {exchanged ? -1 : 1, exchanged ? 1 : -1};
+        W[exchanged] = 1, W[3 + !exchanged] = W[6 + !exchanged] = 1;
+        fill(&b, H, H, g);
+        assert_true(fabs(contraction(&b, 2, W, sign) - (0.1875 + 0.3125)) < 0x1p-40);
+        assert_true(fabs(contraction(&b, 2, W, NULL)) < 0x1p-40);
+        int positive[2] = {1, 1}; /* 1 + 3/4 - 1/16 */
+        assert_true(fabs(contraction(&b, 2, W, positive) - (0.1875 + 1.6875)) < 0x1p-40);
+        for (int m = 0; m < 9; m++)
+            wide[m] = H[m] + (m == 0 ? 0.25 : m == 1 || m == 3 ? 0.5 : 0);
+        fill(&b, H, wide, g);
+        assert_true(fabs(contraction(&b, 2, W, NULL) - (0.125 + 0.25)) < 0x1p-40);
+        for (int m = 0; m < 9; m++)
+            wide[m] = H[m] + (m == 8 ? 2 : 0);
+        fill(&b, H, wide, g);
+        assert_true(fabs(contraction(&b, 2, W, NULL) - 1) < 0x1p-40);
+        fill(&b, H, H, g);
+        assert_true(fabs(gradient_size(&b, 2, W, sign, newton, step) - 2.5) < 0x1p-40); /* of 1 and -5/2 */
+        static const double way[3] = {-1, -2.5, -2.5};                                  /* -(1, 5/2, 5/2) */
+        for (int a = 0; a < 3; a++)
+            assert_true(fabs(newton[a] - way[a]) < 0x1p-40 && step[a] >= fabs(way[a]) &&
+                        step[a] < fabs(way[a]) + 0x1p-40);
+    }
+    static const double large[3] = {-7, 1, 1};
+    double W[9] = {1, 0, 0, 0, 1, 0, 0, 1, 0}, newton[3], step[3];
+    W[3 * 0 + 0] = 1, W[3 * 1 + 1] = 1;
+    fill(&b, H, H, large);
+    assert_true(gradient_size(&b, 1, W, (int[]){1}, newton, step) >= 7);
+    cagd_stationary_box_free(&b);
+}
+
 static num_q absolute(num_q x) { return cagd_sign_q(x) < 0 ? neg_q(x) : x; }
 
 /* Steps of every size, one after the other.  A coordinate is the sum of two binary64, which a step moves by itself but for 2^-50 of it
@@ -230,13 +315,14 @@ static int is_tight(double low, num_q x, double high)
 static int own(const struct smoothed *s, int i) { return s->period > 0 ? (i - s->shift + s->period) % s->period : i; }
 
 /* The sum of G over the places of two unknowns; with the points of the second one, where they are given. */
-static num_q sum_of(const struct smoothed *s, const num_q G[], cagd_fit_unknown a, int b, const double points[])
+static num_q sum_of(const struct smoothed *s, const num_q G[], cagd_fit_unknown a, int b, int dim,
+                    const double points[])
 {
     num_q sum = from_int_q(0);
     for (int i = 0; i < s->count; i++)
         for (int k = 0; own(s, i) == a.index && k < s->count; k++)
             if (points != NULL)
-                sum = add_q(sum, mul_q(G[i * s->count + k], from_double_q(points[2 * k + a.coordinate])));
+                sum = add_q(sum, mul_q(G[i * s->count + k], from_double_q(points[dim * k + a.coordinate])));
             else if (own(s, k) == b)
                 sum = add_q(sum, G[i * s->count + k]);
     return sum;
@@ -260,25 +346,25 @@ static void the_smoothing_term(void **state)
          1,
          {-3, -2, -1, 0, 0.5, 2, 3, 3.5, 5, 6}}, /* the spans between 0 and 3, and one more on either side */
     };
-    enum { N = 2 * MOST_POINTS };
+    enum { N = 3 * MOST_POINTS };
     const double lambda = 0.625, none[N] = {0};
     for (size_t c = 0; c < sizeof of / sizeof *of; c++)
         for (int skip = 0; skip <= 1; skip++) {
             const struct smoothed *s = &of[c];
-            const int n = s->count, free_points = s->period > 0 ? s->period : n;
+            const int n = s->count, free_points = s->period > 0 ? s->period : n, dim = 2 + (int)(c + (size_t)skip) % 2;
             double points[N], low[N], high[N], H_low[N * N], H_high[N * N];
             cagd_fit_unknown unknown[N];
             num_q G[MOST_POINTS * MOST_POINTS];
             int unknowns = 0, where = 7;
-            for (int k = 0; k < 2 * n; k++)
+            for (int k = 0; k < dim * n; k++)
                 points[k] = random_int(-64, 64) / 16.0;
-            for (int i = 0; i < 2 * n; i++)
-                points[i] = points[2 * (own(s, i / 2) + s->shift) + i % 2];
-            for (int k = 0; k < 2 * free_points; k++)
-                if (!skip || k % 3 > 0)
-                    unknown[unknowns++] = (cagd_fit_unknown){0, k / 2, k % 2};
-            const cagd_fit_data data = {.dim = 2, .points = points};
-            const cagd_spline curve = {s->degree, n, 2, s->knot, points, NULL};
+            for (int i = 0; i < dim * n; i++)
+                points[i] = points[dim * (own(s, i / dim) + s->shift) + i % dim];
+            for (int k = 0; k < dim * free_points; k++)
+                if (!skip || k % 4 > 0)
+                    unknown[unknowns++] = (cagd_fit_unknown){0, k / dim, k % dim};
+            const cagd_fit_data data = {.dim = dim, .points = points};
+            const cagd_spline curve = {s->degree, n, dim, s->knot, points, NULL};
             const cagd_stationary_problem problem = {.data = &data,
                                                      .loss_scale = 1,
                                                      .smooth = lambda,
@@ -295,14 +381,14 @@ static void the_smoothing_term(void **state)
             num_q L = from_double_q(s->knot[n - s->shift] - s->knot[s->degree + s->shift]),
                   factor = mul_q(from_double_q(lambda), mul_q(L, mul_q(L, L)));
             for (int a = 0; a < unknowns; a++) {
-                num_q slope = mul_q(factor, sum_of(s, G, unknown[a], 0, points));
+                num_q slope = mul_q(factor, sum_of(s, G, unknown[a], 0, dim, points));
                 assert_true(is_tight(low[a], slope, high[a]));
                 assert_true(is_tight(2 * mpfr_get_d(half.gradient[a].lo, MPFR_RNDD), slope,
                                      2 * mpfr_get_d(half.gradient[a].hi, MPFR_RNDU)));
                 for (int b = 0; b < unknowns; b++) {
                     num_q entry = unknown[a].coordinate != unknown[b].coordinate
                                       ? from_int_q(0)
-                                      : mul_q(factor, sum_of(s, G, unknown[a], unknown[b].index, NULL));
+                                      : mul_q(factor, sum_of(s, G, unknown[a], unknown[b].index, dim, NULL));
                     assert_true(is_tight(H_low[a * unknowns + b], entry, H_high[a * unknowns + b]));
                 }
             }
@@ -317,6 +403,8 @@ int main(void)
                                        unit(what_a_radius_reaches),
                                        unit(the_size_of_points),
                                        unit(ways_are_added_upward),
+                                       unit(the_longest_way_counts),
+                                       unit(contractions_and_steps),
                                        unit(the_nearer_bound),
                                        unit(the_rest_belongs_to_the_centre),
                                        unit(the_centre_moves_no_farther_than_is_told)};
