@@ -380,6 +380,12 @@ static void every_two_polynomials_are_projected(void **state)
                         line, k == i || k == j ? CAGD_IS_ZERO : CAGD_IS_NEGATIVE | CAGD_IS_POSITIVE};
                 }
                 num_f there = sub_f(mul_f(whole(a[i] - a[j]), X), whole(b[j] - b[i]));
+                /* a height at which no two of them meet, above and below: nothing but the lines tells of the place */
+                num_f x_there = from_ratio_f(b[j] - b[i], a[i] - a[j]),
+                      height = add_f(mul_f(whole(a[i]), x_there), whole(b[i]));
+                num_f above = sub_f(Y, add_f(height, from_ratio_f(3, 7)));
+                assert_int_equal(ask(LINES, given, above, CAGD_IS_POSITIVE, 2), CAGD_NOT_IMPLIED);
+                assert_int_equal(ask(LINES, given, above, CAGD_IS_NEGATIVE, 2), CAGD_IMPLIED);
                 assert_int_equal(ask(LINES, given, there, CAGD_IS_ZERO, 2), CAGD_IMPLIED);
                 assert_int_equal(ask(LINES, given, there, CAGD_IS_NEGATIVE | CAGD_IS_POSITIVE, 2), CAGD_NOT_IMPLIED);
             }
@@ -401,6 +407,12 @@ static void what_vanishes_over_a_point_or_a_line(void **state)
         assert_int_equal(ask(3, c, positive, CAGD_IS_POSITIVE, 3), CAGD_IMPLIED);
         assert_int_equal(ask(3, c, add_f(Z, whole(1)), CAGD_IS_NEGATIVE, 3), CAGD_NOT_IMPLIED);
         assert_int_equal(ask(3, c, sub_f(Z, whole(1)), CAGD_IS_NEGATIVE, 3), CAGD_IMPLIED);
+        /* y = 0 is told by xz - y alone, which has no y but in its last coefficient */
+        c[1] = (cagd_sign_condition){vanishes, CAGD_IS_ZERO};
+        assert_int_equal(ask(2, c, add_f(Y, whole(7)), CAGD_IS_NEGATIVE, 3), CAGD_NOT_IMPLIED);
+        assert_int_equal(ask(2, c, add_f(Y, whole(7)), CAGD_IS_POSITIVE, 3), CAGD_IMPLIED);
+        c[1 + turn] = (cagd_sign_condition){vanishes, CAGD_IS_ZERO};
+        c[2 - turn] = (cagd_sign_condition){other, CAGD_IS_NEGATIVE};
         cagd_algebraic_point at;
         for (int place = 0; place < 4; place++) {
             num_f x[4] = {X, Y, Z};
