@@ -369,20 +369,20 @@ static void every_two_polynomials_are_projected(void **state)
     (void)state;
     open_field();
     enum { LINES = 4 };
-    static const int a[LINES] = {1, -1, 3, 0}, b[LINES] = {0, 2, -4, -5}; /* y = a x + b */
+    static const int a[LINES] = {1, -1, 3, 0}, b[LINES] = {31, 207, -490, -533}; /* y = a x + b/100 */
     for (int i = 0; i < LINES; i++)
         for (int j = 0; j < i; j++)
             for (int turn = 0; turn < LINES; turn++) {
                 cagd_sign_condition given[LINES];
                 for (int k = 0; k < LINES; k++) {
-                    num_f line = sub_f(Y, add_f(mul_f(whole(a[k]), X), whole(b[k])));
+                    num_f line = sub_f(Y, add_f(mul_f(whole(a[k]), X), from_ratio_f(b[k], 100)));
                     given[(k + turn) % LINES] = (cagd_sign_condition){
                         line, k == i || k == j ? CAGD_IS_ZERO : CAGD_IS_NEGATIVE | CAGD_IS_POSITIVE};
                 }
-                num_f there = sub_f(mul_f(whole(a[i] - a[j]), X), whole(b[j] - b[i]));
+                num_f there = sub_f(mul_f(whole(a[i] - a[j]), X), from_ratio_f(b[j] - b[i], 100));
                 /* a height at which no two of them meet, above and below: nothing but the lines tells of the place */
-                num_f x_there = from_ratio_f(b[j] - b[i], a[i] - a[j]),
-                      height = add_f(mul_f(whole(a[i]), x_there), whole(b[i]));
+                num_f x_there = from_ratio_f(b[j] - b[i], 100L * (a[i] - a[j])),
+                      height = add_f(mul_f(whole(a[i]), x_there), from_ratio_f(b[i], 100));
                 num_f above = sub_f(Y, add_f(height, from_ratio_f(3, 7)));
                 assert_int_equal(ask(LINES, given, above, CAGD_IS_POSITIVE, 2), CAGD_NOT_IMPLIED);
                 assert_int_equal(ask(LINES, given, above, CAGD_IS_NEGATIVE, 2), CAGD_IMPLIED);

@@ -906,6 +906,21 @@ static void points_at_the_ends(void **state)
             assert_true(cagd_stationary_enclosures(&problem, none, low, high, H, H_high, &where));
             assert_true(H[0] <= 0x1p-8 && H_high[0] >= 0x1p-8 && H_high[0] - H[0] < 0x1p-16);
         }
+    /* An end without a tangent is an end. */
+    for (int end = 0; end < 2; end++) {
+        static const double bezier[] = {0, 0, 0, 1, 1, 1};
+        memcpy(knots, bezier, sizeof bezier);
+        memset(control, 0, sizeof control), memset(points, 0, 2 * sizeof *points);
+        control[end ? 0 : 4] = 8, control[end ? 1 : 5] = 3;
+        curve = (cagd_spline){2, 3, 2, knots, control, NULL};
+        data = (cagd_fit_data){1, 2, points, NULL};
+        feet[0] = end;
+        unknown[0] = (cagd_fit_unknown){0, end ? 0 : 2, 1};
+        problem =
+            (cagd_stationary_problem){.data = &data, .curve = &curve, .feet = feet, .unknowns = 1, .unknown = unknown};
+        assert_true(cagd_stationary_enclosures(&problem, none, low, high, H, H_high, &where));
+        assert_true(low[0] == 0 && high[0] == 0 && H[0] == 0 && H_high[0] == 0);
+    }
     /* Knots 0, 0, 1, 2, ...: the curve begins in no point of its polygon, and ends in none. */
     for (int end = 0; end < 2; end++)
         for (int equal = 0; equal < 2; equal++) {
