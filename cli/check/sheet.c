@@ -217,8 +217,9 @@ static void row(const char *label, const char *tex)
 {
     char *plain = tex_to_text(tex, 1);
     printf("%*s", INDENT, "");
-    put_padded(stdout, label, LABEL);
-    put_behind(stdout, plain, INDENT + LABEL, INDENT + LABEL, WIDTH);
+    const int own = columns_of(label), columns = own < LABEL ? LABEL : own + 1; /* a long label has a blank behind it */
+    put_padded(stdout, label, columns);
+    put_behind(stdout, plain, INDENT + columns, INDENT + LABEL, WIDTH);
     free(plain);
 }
 

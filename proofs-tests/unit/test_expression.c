@@ -26,6 +26,7 @@ static void begin(void)
     assert_true(define("s, \\mathrm{I} \\in \\text{labels}"));
     assert_true(define("Z_s(t) = t^2"));
     assert_true(define("w_i = 2i"));
+    assert_true(define("\\kappa(t) = 2t"));
     assert_true(define("w_i^* = 3i"));
     assert_true(define("w_i^r(t) = 1 + r t^i"));
     assert_true(define("\\dot{Z}_{\\mathrm I}(t) = 5t"));
@@ -216,6 +217,7 @@ static void test_no_values(void **state)
                 {"0^{-1}", FAULT_UNDEFINED},
                 {"(-1)!", FAULT_UNDEFINED},
                 {"(1/2)!", FAULT_UNABLE},
+                {"\\sin(\\kappa'(P_1))", FAULT_UNABLE},
                 {"(-2)!", FAULT_UNDEFINED},
                 {"\\max_{k=1}^0 k", FAULT_UNDEFINED},
                 {"\\min_{k=0, k > 5}^2 k", FAULT_UNDEFINED},
