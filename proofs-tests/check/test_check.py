@@ -2601,7 +2601,8 @@ class Verdicts(unittest.TestCase):
                 s = verdict(printed, ranges)
                 self.assertEqual((s["verdict"], s.get("says_nothing", False)), ("holds", nothing))
         for printed, ranges, over in (("\\forall i \\in \\{1, \\dots, 0\\}: x_i = 3", "n = 1", ["\\forall i \\in \\{1, \\dots, 0\\}: x_i = 3"]), ("\\sum_{i=n+1}^n x_i = 0", "n = 1..3", ["\\sum_{i=n+1}^n x_i"]),
-                                      ("\\sum_{i=2}^n x_i = 0", "n = 1", ["\\sum_{i=2}^n x_i"]), ("\\forall i \\in \\{0, \\dots, n\\}: i \\ge 0", "n = 0..2", None), ("\\sum_{i=0}^n 1 = n + 1", "n = 0..3", None)):
+                                      ("\\sum_{i=2}^n x_i = 0", "n = 1", ["\\sum_{i=2}^n x_i"]), ("\\forall i \\in \\{0, \\dots, n\\}: i \\ge 0", "n = 0..2", None), ("\\sum_{i=0}^n 1 = n + 1", "n = 0..3", None),
+                                      ("\\forall i \\in \\{n, \\dots, n\\}: x_i^2 \\ge 0", "n = 1", None), ("\\exists i \\in \\{n, \\dots, n\\}: i = 1", "n = 1", None), ("\\sum_{i=n}^n i = n", "n = 1", None)):
             with self.subTest(printed=printed):
                 self.assertEqual(verdict(printed, ranges).get("over_nothing"), over)
         self.assertEqual(verdict("x + y = y + x", "n = 1..2, k = 1..3")["unused_ranges"], ["k", "n"])

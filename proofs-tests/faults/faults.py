@@ -89,7 +89,7 @@ class Expression(Room):
     LATEX = [sys.executable, ROOT / "proofs-tests/check/test_latex.py", "cagd", "-f"]
     tests = {**{name: [f"proofs-tests/unit/{name}"] for name in "test_latex test_changes test_statements test_expression test_cells test_for_every test_drawn test_known test_example".split()},
              "page": [sys.executable, ROOT / "proofs-tests/check/test_page.py", "cagd"], "standard functions": [*SCRIPT, "Standard"], "what is said": [*SCRIPT, "Reasons", "Verdicts", "Language", "Ranges", "Pictures"], "mistakes": [*SCRIPT, "Mistakes"],
-             "papers": LATEX, "what holds for small numbers": [*SCRIPT, "Cells"], "bases": [sys.executable, ROOT / "proofs-tests/check/test_basis.py", "cagd", "-f"],
+             "for every number, and opponents": [*SCRIPT, "EveryChoice", "Opponents"], "as papers have it": [*SCRIPT, "RowsAndLists", "AsPapersHaveIt"], "papers": LATEX, "what holds for small numbers": [*SCRIPT, "Cells"], "bases": [sys.executable, ROOT / "proofs-tests/check/test_basis.py", "cagd", "-f"],
              "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"]}
     KNOWS = {"basis": "bases", "latex": "papers", "latex_commands": "papers", "positive": "certificates", "standard": "standard functions", "token": "mistakes"}
 
@@ -126,7 +126,7 @@ class Check(Room):
     configured, targets = ["-DCAGD_ONLY_CHAPTERS=fitting;shape-parameter", "-DCAGD_TYPES=RATIONAL"], ["cagd"]
     SCRIPT = Expression.SCRIPT
     tests = {"page": [sys.executable, ROOT / "proofs-tests/check/test_page.py", "cagd"], "test_statements": ["proofs-tests/unit/test_statements"], "mistakes": [*SCRIPT, "Mistakes"], "papers": Expression.LATEX,
-             "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges", "Pictures", "Standard"], "bases": Expression.tests["bases"],
+             "what is said": [*SCRIPT, "Verdicts", "Language", "Ranges", "Pictures", "Standard"], "as papers have it": Expression.tests["as papers have it"], "bases": Expression.tests["bases"],
              "certificates": [*SCRIPT, "Certificates"], "the literature": [*SCRIPT, "Literature"],
              "the ledger": ["./cagd", "check", ROOT / "chapters/shape-parameter/print.md"]}
     KNOWS = {"paper": "papers", "document": "mistakes", "sheet": "bases", "graphs": "bases", "certificate": "certificates"}

@@ -205,6 +205,35 @@ static void each_of_several_counts(void **state)
     field_close();
 }
 
+/* Roots of numbers are multiples of one root each: whatever squares are in them are taken out, as often as they are. */
+static void roots_of_numbers(void **state)
+{
+    (void)state;
+    static const char *const zero[] = {"\\sqrt{50} - 5 \\sqrt{2}",
+                                       "\\sqrt{32} - 4 \\sqrt{2}",
+                                       "\\sqrt{\\frac{1}{2}} - \\frac{\\sqrt{2}}{2}",
+                                       "\\sqrt{98} + \\sqrt{8} - 9 \\sqrt{2}",
+                                       "\\sqrt{12} - 2 \\sqrt{3}",
+                                       "\\sqrt{1458} - 27 \\sqrt{2}",
+                                       "\\sqrt{2 \\cdot 997^2} - 997 \\sqrt{2}",
+                                       "\\sqrt{\\frac{75}{49}} - \\frac{5 \\sqrt{3}}{7}",
+                                       "\\sqrt{\\frac{2}{27}} - \\frac{\\sqrt{6}}{9}"},
+                             *const other[] = {"\\sqrt{50} - 2 \\sqrt{5}", "\\sqrt{32} - 2 \\sqrt{2}",
+                                               "\\sqrt{12} - \\sqrt{3}", "\\sqrt{2} - \\sqrt{3}"};
+    begin();
+    for (size_t k = 0; k < sizeof zero / sizeof *zero + sizeof other / sizeof *other; k++) {
+        static cagd_context c;
+        const int is_zero = k < sizeof zero / sizeof *zero;
+        const cagd_tree *t = read_value(is_zero ? zero[k] : other[k - sizeof zero / sizeof *zero]);
+        assert_non_null(t);
+        c = (cagd_context){.scope = &scope, .steps = CAGD_USUAL_STEPS, .in_field = 1, .has_roots = 1};
+        cagd_value v = cagd_evaluate(&c, t);
+        assert_int_equal(region_faults, 0);
+        assert_int_equal(cagd_value_is_zero(v), is_zero);
+    }
+    field_close();
+}
+
 /* Values that are none. */
 static void test_no_values(void **state)
 {
@@ -858,12 +887,19 @@ static void test_cells(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {unit(test_values),         unit(each_of_several_counts),
-                                       unit(test_no_values),      unit(test_names),
-                                       unit(test_definitions),    unit(test_simplest),
-                                       unit(test_signs_in_boxes), unit(every_word_is_what_it_stands_for),
-                                       unit(spaces_behind_rows),  unit(scripts_of_the_source),
-                                       unit(letters_and_faces),   unit(words_that_are_no_names),
+    const struct CMUnitTest tests[] = {unit(test_values),
+                                       unit(each_of_several_counts),
+                                       unit(roots_of_numbers),
+                                       unit(test_no_values),
+                                       unit(test_names),
+                                       unit(test_definitions),
+                                       unit(test_simplest),
+                                       unit(test_signs_in_boxes),
+                                       unit(every_word_is_what_it_stands_for),
+                                       unit(spaces_behind_rows),
+                                       unit(scripts_of_the_source),
+                                       unit(letters_and_faces),
+                                       unit(words_that_are_no_names),
                                        unit(test_cells)};
     return run_unit_tests(tests);
 }
