@@ -824,8 +824,10 @@ static void memory_goes_back_to_the_system(void **state)
     F(exp)                                                                                                             \
     F(exp2)                                                                                                            \
     F(expm1)                                                                                                           \
-    F(log) F(log2) F(log10) F(log1p) F(sin) F(cos) F(tan) F(asin) F(acos) F(atan) F(sinh) F(cosh) F(tanh) F(floor)     \
-        F(ceil) F(trunc) F(round) F(rint)
+    F(log)                                                                                                             \
+    F(log2)                                                                                                            \
+    F(log10) F(log1p) F(sin) F(cos) F(tan) F(asin) F(acos) F(atan) F(sinh) F(cosh) F(tanh) F(floor) F(ceil) F(trunc)   \
+        F(round) F(rint)
 #define PROTOTYPE(name) double cagd_code_lib_##name(double x);
 FUNCTIONS(PROTOTYPE)
 #undef PROTOTYPE
@@ -906,6 +908,34 @@ static void costs_of_functions(void)
                 shares_are(cagd_code_from_signed(-(int64_t)n), -(double)n, 0);
         }
 }
+/* A comparison is turned by rounding where its answer is another one; the first is told. */
+static void turned_comparisons(void)
+{
+    static const struct cagd_code_place place[] = {{"a.c", "f", 1}, {"a.c", "f", 2}, {"a.c", "g", 3}};
+    struct cagd_code_outcome *o = cagd_code_machine.outcome;
+    static const double exact[] = {1, 0.5, 2}, computed[] = {1, 0.5, 2};
+    long turned = 0;
+    for (int predicate = 0; predicate < 16; predicate++)
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) {
+                double number =
+                    cagd_code_number((cagd_code_value){.q = from_double_q(exact[i]), .d = computed[j], .made = 1});
+                int is = exact[i] == 1  ? SAME
+                         : exact[i] > 1 ? GREATER
+                                        : LESS,
+                    seems = computed[j] == 1  ? SAME
+                            : computed[j] > 1 ? GREATER
+                                              : LESS;
+                cagd_code_at = &place[turned < 2 ? 0 : 1 + (turned > 3)];
+                check(cagd_code_compare(number, 1, predicate) == ((seems & predicate) != 0)); /* as the code decides */
+                int is_turned = ((is & predicate) != 0) != ((seems & predicate) != 0);
+                turned += is_turned;
+                check(o->decided_otherwise == turned);
+            }
+    check(turned > 20 && o->turned.line == 1 && strcmp(o->turned.file, "a.c") == 0 &&
+          strcmp(o->turned.function, "f") == 0);
+}
+
 /* Of a result what is told: its error in ulps, and the line with most of it, whatever the signs. */
 static void told_results(void)
 {
@@ -971,6 +1001,22 @@ static void errors_of_arguments(void)
         FUNCTIONS(ONE)
 #undef ONE
     }
+    for (int n = -7; n <= 7; n++) /* beside a half, where the binary64 is on the other side of it */
+        for (int side = -1; side <= 1; side += 2) {
+            cagd_code_value v = {.q = from_ratio_q(n, 2), .d = n / 2. + side * 0x1p-40};
+            struct cagd_code_share share = {&here, side * 0x1p-40};
+            v.share = &share, v.shares = 1;
+            double a = cagd_code_number(v);
+            shares_are(cagd_code_lib_floor(a), floor(v.d), 0);
+            shares_are(cagd_code_lib_ceil(a), ceil(v.d), 0);
+            shares_are(cagd_code_lib_trunc(a), trunc(v.d), 0);
+            shares_are(cagd_code_lib_round(a), round(v.d), 0);
+            shares_are(cagd_code_lib_rint(a), rint(v.d), 0);
+            shares_are(cagd_code_lib_fmod(a, 1), fmod(v.d, 1), 0);
+            shares_are(cagd_code_lib_remainder(a, 1), remainder(v.d, 1), 0);
+            if (n != 0)
+                shares_are(cagd_code_lib_fabs(a), fabs(v.d), 0);
+        }
     double e = cagd_code_sub(cagd_code_div(1, 3), cagd_code_div(1, 3)); /* 0 */
     shares_are(cagd_code_lib_exp(e), 1, 0);
 }
@@ -978,6 +1024,7 @@ static void functions_pass_errors_on(void **state)
 {
     (void)state;
     ends(costs_of_functions, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
+    ends(turned_comparisons, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
     ends(told_results, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
     ends(errors_of_arguments, &(struct cagd_code_job){.numbers = CAGD_CODE_ROUNDING}, CAGD_CODE_FINISHED, "");
 }
