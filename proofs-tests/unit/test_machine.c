@@ -701,6 +701,25 @@ static void functions_are_solved_and_roots_have_their_squares(void **state)
     ends(solved, &in_field, CAGD_CODE_FINISHED, "");
 }
 
+/* What is divided by is told once, in its order, unless it cannot be 0; of a quotient its numerator. */
+static void divisors(void)
+{
+    two_variables(1, 2);
+    num_f one = from_int_f(1), d = sub_f(x, y);
+    num_f list[] = {add_f(d, one),           d,       x, add_f(d, one), mul_f(x, y), d, x, y, div_f(x, add_f(y, one)),
+                    add_f(x, from_int_f(5)), neg_f(x)};
+    cagd_code_know_sign(y, GREATER);
+    cagd_code_know_sign(add_f(x, from_int_f(5)), GREATER | LESS);
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        cagd_code_note_divisor(list[k]);
+    check(strcmp(cagd_code_machine.outcome->denominators, "x-y+1\nx-y\nx\nx*y\n-x\n") == 0);
+}
+static void what_is_divided_by_is_told_once(void **state)
+{
+    (void)state;
+    ends(divisors, &in_field, CAGD_CODE_FINISHED, "");
+}
+
 /* What two functions are where others are 0, whatever the order of those conditions. */
 static int conditions_turned;
 static void equal_where(void)
@@ -834,8 +853,8 @@ static void memory_goes_back_to_the_system(void **state)
     F(log)                                                                                                             \
     F(log2)                                                                                                            \
     F(log10)                                                                                                           \
-    F(log1p) F(sin) F(cos) F(tan) F(asin) F(acos) F(atan) F(sinh) F(cosh) F(tanh) F(floor) F(ceil) F(trunc) F(round)   \
-        F(rint)
+    F(log1p)                                                                                                           \
+    F(sin) F(cos) F(tan) F(asin) F(acos) F(atan) F(sinh) F(cosh) F(tanh) F(floor) F(ceil) F(trunc) F(round) F(rint)
 #define PROTOTYPE(name) double cagd_code_lib_##name(double x);
 FUNCTIONS(PROTOTYPE)
 #undef PROTOTYPE
@@ -1257,6 +1276,7 @@ int main(void)
                                        unit(signs_follow_from_conditions),
                                        unit(what_is_said_to_be_zero_is_zero),
                                        unit(functions_are_solved_and_roots_have_their_squares),
+                                       unit(what_is_divided_by_is_told_once),
                                        unit(functions_are_equal_where_others_are_zero),
                                        unit(objects_have_their_margins),
                                        unit(variables_end_with_their_function),
