@@ -720,6 +720,49 @@ static void what_is_divided_by_is_told_once(void **state)
     ends(divisors, &in_field, CAGD_CODE_FINISHED, "");
 }
 
+/* Conditions as they are told: two names without a sign between them, each condition once, and a polynomial of the same sign, for which the
+ * denominator counts as what is known of its sign. */
+static int known_denominator; /* -1, 1; 0: nothing is known of it */
+static void told_conditions(void)
+{
+    two_variables(1, known_denominator < 0 ? -2 : 2);
+    double u = cagd_code_number(cagd_code_variable("x", from_int_q(1))),
+           v = cagd_code_number(cagd_code_variable("y", from_int_q(known_denominator < 0 ? -2 : 2)));
+    if (known_denominator != 0)
+        cagd_code_compare(v, 0, LESS);
+    for (int k = 0; k < 2; k++)
+        cagd_code_compare(cagd_code_div(u, v), 3, GREATER);
+    cagd_code_compare(u, v, SAME);
+    cagd_code_compare(v, u, GREATER | SAME);
+    cagd_code_compare(cagd_code_sub(u, v), 0, SAME); /* once more */
+    const struct cagd_code_condition *c = cagd_code_machine.outcome->conditions;
+    if (known_denominator != 0) {
+        check(strcmp(c->left, "y") == 0 && strcmp(c->relation, known_denominator < 0 ? "<" : ">=") == 0 &&
+              strcmp(c->right, "0") == 0);
+        check(strcmp(c->polynomial, "y") == 0 && c->holding == (known_denominator < 0 ? LESS : GREATER | SAME));
+        c = c->next;
+    }
+    check(strcmp(c->left, "x/y") == 0 && strcmp(c->relation, "<=") == 0 && strcmp(c->right, "3") == 0 &&
+          c->holding == (LESS | SAME));
+    const char *polynomial = known_denominator < 0 ? "-x+3*y" : known_denominator > 0 ? "x-3*y" : "x*y-3*y^2";
+    check(strcmp(c->polynomial, polynomial) == 0);
+    c = c->next;
+    check(strcmp(c->left, "x") == 0 && strcmp(c->relation, "!=") == 0 && strcmp(c->right, "y") == 0 &&
+          c->holding == (LESS | GREATER));
+    check(strcmp(c->difference, "x-y") == 0 && strcmp(c->opposite, "-x+y") == 0 && strcmp(c->polynomial, "x-y") == 0);
+    if (known_denominator >= 0) {
+        c = c->next;
+        check(strcmp(c->left, "y") == 0 && strcmp(c->relation, ">=") == 0 && strcmp(c->right, "x") == 0);
+        check(strcmp(c->difference, "-x+y") == 0 && strcmp(c->opposite, "x-y") == 0 && !c->given);
+    }
+}
+static void conditions_are_told_once(void **state)
+{
+    (void)state;
+    for (known_denominator = -1; known_denominator <= 1; known_denominator++)
+        ends(told_conditions, &in_field, CAGD_CODE_FINISHED, "");
+}
+
 /* What two functions are where others are 0, whatever the order of those conditions. */
 static int conditions_turned;
 static void equal_where(void)
@@ -1277,6 +1320,7 @@ int main(void)
                                        unit(what_is_said_to_be_zero_is_zero),
                                        unit(functions_are_solved_and_roots_have_their_squares),
                                        unit(what_is_divided_by_is_told_once),
+                                       unit(conditions_are_told_once),
                                        unit(functions_are_equal_where_others_are_zero),
                                        unit(objects_have_their_margins),
                                        unit(variables_end_with_their_function),
