@@ -970,6 +970,8 @@ static void costs_of_functions(void)
     }
     /* exactly, though the product alone would be rounded */
     shares_are(cagd_code_lib_fma(1 + 0x1p-30, 1 - 0x1p-30, -1), -0x1p-60, 0);
+    shares_are(cagd_code_lib_fmod(1e17, 0.1), fmod(1e17, 0.1), 0);
+    shares_are(cagd_code_lib_remainder(1e17, 0.1), remainder(1e17, 0.1), 0);
     for (int k = 50; k < 64; k++)
         for (int d = -3; d <= 3; d++) {
             uint64_t n = ((uint64_t)1 << k) + (uint64_t)d;
