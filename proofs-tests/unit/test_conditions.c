@@ -303,6 +303,8 @@ static void claims_hold_somewhere_or_nowhere(void **state)
                 {{{"x*y^2", BELOW}, {"y", ABOVE | ZERO}}, 1},
                 {{{"x*y^2", ZERO}, {"x", ABOVE}, {"y", ABOVE}}, 0},
                 {{{"x*y", BELOW}, {"x+y", ABOVE}, {"x", ABOVE}}, 1},
+                {{{"x*y", BELOW}, {"x+y", ABOVE}, {"y", ABOVE}}, 1},
+                {{{"x*y", BELOW}, {"y+x", ABOVE | ZERO}, {"y", ABOVE}}, 1},
                 {{{"x*y", BELOW}, {"x", ZERO}, {"y", ABOVE}}, 1}, /* a monomial is a variable of its own */
                 {{{"x^2-2*x+1", BELOW}, {"x", BELOW}}, 0}};
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {

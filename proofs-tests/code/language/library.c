@@ -376,9 +376,9 @@ double l_long_texts(void)
 /* = 7 + 10 * 7 + 100 * 7 + 1000 * 7 */
 double l_texts_that_have_no_room(void)
 {
-    char a[9] = "????????", b[9] = "????????", c[9] = "????????", d[9] = "????????";
+    char a[9] = "????????", b[9] = "????????", c[9] = "????????", d[9] = "????????", e[9] = "????????";
     int n = snprintf(a, 3, "%s", "seventh"), m = snprintf(b, 0, "%s", "seventh"), l = snprintf(c, 7, "%s", "seventh"), k = snprintf(d, 8, "%s", "seventh");
-    int good = strcmp(a, "se") == 0 && a[3] == '?' && b[0] == '?' && strcmp(c, "sevent") == 0 && c[7] == '?' && strcmp(d, "seventh") == 0;
+    int good = snprintf(e, 1, "%s", "seventh") == 7 && e[0] == 0 && e[1] == '?' && strcmp(a, "se") == 0 && a[3] == '?' && b[0] == '?' && strcmp(c, "sevent") == 0 && c[7] == '?' && strcmp(d, "seventh") == 0;
     return good ? n + 10 * m + 100 * l + 1000 * k : 0;
 }
 static int all_of(FILE *f, const char *format, ...) { va_list list; va_start(list, format); int n = vfprintf(f, format, list); va_end(list); return n; }
