@@ -2,6 +2,7 @@
 #include "proofs-tests/fit/options.h"
 
 #include "core/fit/arguments.h"
+#include "core/fit/attempt.h"
 #include "core/fit/beneath.h"
 #include "core/fit/by_feet.h"
 #include "core/fit/candidate.h"
@@ -2509,6 +2510,146 @@ static void ellipses_have_their_errors(void **state)
     }
 }
 
+/* The axis of points is the longest one of the three, whichever coordinate it is along, and where the points are symmetric about all of them. */
+static void the_longest_axis_of_three(void **state)
+{
+    (void)state;
+    for (int longest = 0; longest < 3; longest++)
+        for (int middle = 0; middle < 3; middle++) {
+            if (middle == longest)
+                continue;
+            double points[3 * 6] = {0},
+                              width = 2e-4 * sqrt(2); /* of a point with a middle coordinate of sqrt(2) 10^-4 */
+            for (int i = 0; i < 6; i++) {
+                const int c = i / 2 == 0 ? longest : i / 2 == 1 ? middle : 3 - longest - middle;
+                points[3 * i + c] = (i % 2 ? -1 : 1) * (c == longest ? 1 : c == middle ? 1e-4 : 1e-5) * sqrt(2);
+            }
+            cagd_fit_result r = told(2, 2, along_x_of_plane, 6);
+            for (int side = -1; side <= 1; side += 2) {
+                r.largest = FIT_OF_WIDTH * width * (1 + side * 1e-6);
+                assert_int_equal(fit_beneath(&(cagd_fit_data){6, 3, points, NULL}, &r),
+                                 side < 0 ? CAGD_FIT_BENEATH_SIZE : CAGD_FIT_BENEATH_NOTHING);
+            }
+        }
+}
+
+/* Structure counts beside a curve without where it is beneath deviations or size, and not where it is beneath the digits that are written. */
+static void structure_beneath_counts_beside(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 4; kind++) { /* nothing, digits, deviations, size */
+        cagd_fit_result r = told(2, 11, straight_line, 100);
+        const cagd_fit_options o = cagd_fit_defaults();
+        int problems, beneath;
+        const double size = kind == 1 ? 0.04 : kind == 3 ? 1e-5 : 0.01;
+        for (int i = 0; i < 100; i++) {
+            feet_told[i] = i / 10.0, sigma_told[i] = 0.05;
+            distances_told[i] = size * (i % 20 < 10 ? 1 : -1) * (i % 3 ? 1 : 0.5);
+        }
+        cagd_fit_data d = points_of(&r);
+        for (int i = 0; i < 100; i++) {
+            points_told[2 * i + 1] = kind == 1 ? 0 : (i % 2 ? 1.2345 : -1.2345) / 3 + sqrt(i); /* digits, or none */
+            points_told[2 * i] += kind == 1 ? 0 : sqrt(i) / 1000;
+        }
+        r.relative = polygon_points, r.rms = size, r.largest = size,
+        r.chi_squared = kind == 2 ? 100 * pow(size / 0.05, 2) : 1;
+        r.degrees_of_freedom = 98;
+        d.sigma = kind == 2 ? sigma_told : NULL;
+        cagd_fit_options any = o;
+        any.unordered = 1; /* nothing is said of the order of these points */
+        const cagd_fit_quality q = quality_told(&d, &any, &r);
+        assert_true(q.runs.probability < 0.01);
+        assert_int_equal(q.beneath, kind == 0   ? CAGD_FIT_BENEATH_NOTHING
+                                    : kind == 1 ? CAGD_FIT_BENEATH_DIGITS
+                                    : kind == 2 ? CAGD_FIT_BENEATH_DEVIATIONS
+                                                : CAGD_FIT_BENEATH_SIZE);
+        assert_int_equal((q.problems & CAGD_FIT_STRUCTURE) != 0, kind == 0);
+        for (int i = 0; i < 100; i++) /* a polygon that the curve is no longer than */
+            points_told[2 * i] = kind == 1 ? i / 10.0 : points_told[2 * i];
+        assert_int_equal(fit_problems_of(&d, &any, &r, &problems, &beneath), CAGD_OK);
+        assert_int_equal(beneath, kind >= 2);
+        assert_int_equal((problems & CAGD_FIT_STRUCTURE) != 0, kind != 1);
+    }
+}
+
+/* Six points are enough for a conic and one degree of freedom; points on a circle but for rounding are told as one, whatever their F is. */
+static void exact_circles_and_six_points(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 24; k++) {
+        const int n = k % 2 ? 6 : 30;
+        const double R = 1 + 7.3 * k, from = 0.3 * k, turn = 0.9 + 0.05 * k;
+        double P[60];
+        for (int i = 0; i < n; i++) {
+            const double a = from + turn * i / (n - 1);
+            P[2 * i] = 3 * R + R * cos(a), P[2 * i + 1] = R * sin(a) - R;
+        }
+        const cagd_fit_data d = {n, 2, P, NULL};
+        const cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r;
+        cagd_fit_circle c;
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        assert_int_equal(cagd_fit_circle_of(&d, &o, r, &c), CAGD_OK);
+        assert_true(c.known && c.freedom == n - 5 && c.ratio >= 0 && c.probability >= 0 && c.probability <= 1);
+        assert_true(fabs(c.radius.value / R - 1) < 1e-9 && fabs(c.sweep * acos(-1) / 180 - turn) < 1e-9);
+        cagd_fit_free(r);
+    }
+}
+
+/* What a run did is added behind what was done before: its steps with their numbers, its iterations, how it ended; and single steps, with the largest component of
+ * the gradient, whatever its sign. */
+static void an_attempt_counts_on(void **state)
+{
+    (void)state;
+    cagd_fit_data data = around(3, 0);
+    struct made m = make(&data, &in_space, 0);
+    cagd_fit_options o = options_with_exact_ends();
+    m.p.options = &o;
+    fit_attempt a;
+    assert_true(fit_attempt_new(&m.p, &a));
+    assert_true(a.max_iterations == o.max_iterations && a.outcome.steps == 0);
+    for (int run = 0; run < 3; run++) {
+        fit_outcome more = {0};
+        more.history = calloc(3, sizeof *more.history);
+        assert_non_null(more.history);
+        for (int i = 0; i < 2 + run % 2; i++)
+            more.history[i] = (cagd_fit_step){i, i % 2, 10.0 * run + i, 2, 3, 4};
+        more.steps = 2 + run % 2, more.iterations = 5,
+        more.termination = run == 1 ? CAGD_FIT_NOT_CONVERGED : CAGD_FIT_CONVERGED;
+        snprintf(more.message, sizeof more.message, "run %d", run);
+        assert_true(fit_attempt_append(&a, &more));
+        assert_null(more.history);
+        assert_int_equal(a.outcome.termination, run == 1 ? CAGD_FIT_NOT_CONVERGED : CAGD_FIT_CONVERGED);
+        assert_int_equal(a.outcome.iterations, 5 * (run + 1));
+        assert_true(a.outcome.message[4] == '0' + run);
+    }
+    assert_int_equal(a.outcome.steps, 7);
+    static const int number[] = {0, 1, 5, 6, 7, 10, 11};
+    for (int i = 0; i < 7; i++)
+        assert_int_equal(a.outcome.history[i].iteration, number[i]);
+    assert_true(a.outcome.history[4].cost == 12 && a.outcome.history[6].cost == 21 &&
+                a.outcome.history[3].accepted == 1);
+    const int n = m.p.unknowns, rows = n + 1;
+    for (int side = -1; side <= 1; side += 2)
+        for (int accepted = 0; accepted < 2; accepted++) {
+            for (int k = 0; k < rows * rows; k++)
+                a.objective->triangle[k] = 0;
+            for (int k = 0; k < n; k++) /* the last column but one has the largest product with the last one */
+                a.objective->triangle[k * rows + k] = 1,
+                                                 a.objective->triangle[k * rows + n] = k == n - 2 ? side * 7 : 0.5;
+            a.objective->cost = 42;
+            assert_true(fit_attempt_step(&a, accepted, 0.25));
+            const cagd_fit_step *last = &a.outcome.history[a.outcome.steps - 1];
+            assert_int_equal(last->accepted, accepted);
+            assert_true(last->cost == 42 && last->step_norm == 0.25);
+            assert_true(last->gradient_norm == 7);
+            assert_true(isinf(last->trust_radius) && last->iteration == a.outcome.iterations);
+        }
+    assert_true(a.outcome.steps == 11 && a.outcome.iterations == 19);
+    fit_attempt_free(&a);
+    release(&m);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -2564,6 +2705,10 @@ int main(void)
         cmocka_unit_test(arcs_of_ellipses),
         cmocka_unit_test(circles_have_their_errors),
         cmocka_unit_test(ellipses_have_their_errors),
+        cmocka_unit_test(the_longest_axis_of_three),
+        cmocka_unit_test(structure_beneath_counts_beside),
+        cmocka_unit_test(exact_circles_and_six_points),
+        cmocka_unit_test(an_attempt_counts_on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
