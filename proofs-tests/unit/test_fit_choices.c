@@ -1,6 +1,7 @@
-/* test_fit_choices.c -- which curve is chosen, and what is tried where a fit is not good: small sets of points. */
+/* test_fit_choices.c -- which curve is chosen, what is tried where a fit is not good, and which ends are left out: small sets of points. */
 #include "core/fit/cagd_fit.h"
 #include "core/fit/candidate.h"
+#include "core/fit/outliers.h"
 #include "core/fit/quantile.h"
 #include "core/fit/weights.h"
 
@@ -447,6 +448,119 @@ static void weights_are_tested(void **state)
     }
 }
 
+/* ---- ends that are outliers ------------------------------------------------------------------------------------------------ */
+
+/* Two points at the start and one at the end lie far off: the curve is that of the others, and all are told of alike. */
+static void points_left_out_are_told_of(void **state)
+{
+    (void)state;
+    enum { MANY = 51 };
+    for (int variant = 0; variant < 4; variant++) {
+        const int given = variant & 1, two = variant & 2; /* two at the start and one at the end, or one and two */
+        const int start = two ? 2 : 1, end = two ? 1 : 2;
+        double P[2 * MANY], s[MANY];
+        scatter(MANY, 0.002, P);
+        for (int i = 0; i < MANY; i++)
+            s[i] = i % 3 ? 0.002 : 0.004;
+        for (int i = 0; i < start; i++)
+            P[2 * i + 1] += i ? -0.2 : 0.3;
+        for (int i = 0; i < end; i++)
+            P[2 * (MANY - 1 - i) + 1] += i ? -0.2 : 0.35;
+        const cagd_fit_data d = {MANY, 2, P, given ? s : NULL},
+                            inner = {MANY - 3, 2, P + 2 * start, given ? s + start : NULL};
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r, *of_inner;
+        o.loss = CAGD_FIT_HUBER, o.loss_scale = 0, o.without_intervals = 1;
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        assert_int_equal(cagd_fit(&inner, &o, &of_inner, NULL), CAGD_OK);
+        assert_true(r->left_out[0] == start && r->left_out[1] == end && r->end_is_judged[0] && r->end_is_judged[1]);
+        assert_true(r->end_points[0] == start && r->end_points[1] == MANY - 1 - end && r->count == MANY);
+        assert_true(of_inner->left_out[0] == 0 && of_inner->left_out[1] == 0 && of_inner->count == MANY - 3);
+        assert_memory_equal(r->curve.points, of_inner->curve.points, 6 * sizeof(double));
+        assert_true(r->cost == of_inner->cost && r->scale_squared == of_inner->scale_squared);
+        double squares = 0, largest = 0;
+        int at = 0, outliers = 0, at_ends = 0;
+        for (int i = 0; i < MANY; i++) {
+            double C[2];
+            const double away = hypot(r->residuals[2 * i], r->residuals[2 * i + 1]);
+            assert_true(fabs(away - fabs(r->distances[i])) < 1e-12);
+            assert_int_equal(cagd_spline_point(&r->curve, r->feet[i], r->feet[i] < 1 ? CAGD_RIGHT : CAGD_LEFT, C),
+                             CAGD_OK);
+            for (int c = 0; c < 2; c++)
+                assert_true(fabs(C[c] + r->residuals[2 * i + c] - P[2 * i + c]) < 1e-12);
+            squares += away * away, outliers += r->outlier[i], at_ends += r->foot_at_end[i];
+            if (away > largest)
+                largest = away, at = i;
+            assert_true(!(i < start || i >= MANY - end) || r->outlier[i]);
+        }
+        assert_true(fabs(r->rms - sqrt(squares / MANY)) < 1e-12 && fabs(r->largest - largest) < 1e-12);
+        assert_int_equal(r->largest_at, at);
+        assert_int_equal(r->outliers, outliers);
+        assert_int_equal(r->feet_at_ends, at_ends);
+        assert_true(at_ends > 0); /* beyond the ends no foot is orthogonal */
+        /* N P(F > z^2) = 0.05 with 1 and 0.37 f degrees of freedom, of the data and the fit that were judged last: one point less than are left */
+        const double z = r->end_limit, f = of_inner->degrees_of_freedom - 1;
+        assert_true(fabs((MANY)*fit_f_probability(z * z, 1, 0.3675 * f) / 0.05 - 1) < 1e-6);
+        cagd_fit_free(of_inner);
+        cagd_fit_free(r);
+        o.loss = CAGD_FIT_SQUARES, o.loss_scale = 1;
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        assert_true(r->left_out[0] == 0 && r->left_out[1] == 0 && !r->end_is_judged[0] && r->end_limit == 0);
+        cagd_fit_free(r);
+        o.loss = CAGD_FIT_HUBER, o.loss_scale = 0, o.ends = CAGD_FIT_ENDS_SLIDE;
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        assert_true(r->left_out[0] == 0 && r->left_out[1] == 0 && !r->end_is_judged[0] && !r->end_is_judged[1]);
+        cagd_fit_free(r);
+    }
+}
+
+/* Points in no order have no first one that could be judged. */
+static void ends_without_order_are_not_judged(void **state)
+{
+    (void)state;
+    double P[2 * 40];
+    scatter(40, 0.002, P);
+    P[1] -= 0.1;
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_result *r;
+    o.loss = CAGD_FIT_CAUCHY, o.loss_scale = 0, o.unordered = 1, o.without_intervals = 1;
+    assert_int_equal(cagd_fit(&(cagd_fit_data){40, 2, P, NULL}, &o, &r, NULL), CAGD_OK);
+    assert_true(r->left_out[0] == 0 && r->left_out[1] == 0 && !r->end_is_judged[0] && !r->end_is_judged[1] &&
+                r->count == 40);
+    cagd_fit_free(r);
+}
+
+/* The scale of a robust loss is the one that the distances of its own curve say, to a hundredth; where more than half of these are 0 it is their root mean
+ * square. */
+static void a_robust_scale_is_that_of_its_own_curve(void **state)
+{
+    (void)state;
+    double P[2 * 60], s[60];
+    static const double knots[] = {0, 0, 1, 1}, line[] = {0, 0, 10, 0};
+    for (int k = 0; k < 4; k++) {
+        scatter(60, 0.004, P);
+        for (int i = 0; i < 60; i++)
+            P[2 * i + 1] += i % 4 == 1 ? 0.05 * (i % 3 + 1) : 0, s[i] = 0.002 * (1 + i % 2);
+        const cagd_fit_data d = {60, 2, P, k & 2 ? s : NULL};
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r;
+        o.loss = k & 1 ? CAGD_FIT_HUBER : CAGD_FIT_CAUCHY, o.loss_scale = 0, o.without_intervals = 1;
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        const double wanted = fit_loss_scale_of(o.loss, fit_robust_deviation(&d, r));
+        assert_true(r->left_out[0] + r->left_out[1] > 0 || fabs(r->loss_scale - wanted) <= wanted / 90);
+        cagd_fit_free(r);
+    }
+    const cagd_spline given = {1, 2, 2, knots, line, NULL};
+    cagd_fit_options o = cagd_fit_defaults();
+    cagd_fit_result *r;
+    for (int i = 0; i < 21; i++)
+        P[2 * i] = 0.1 + i * 0.4, P[2 * i + 1] = i % 5 == 0 ? 3 : 0;
+    o.initial = &given, o.free = 0, o.loss = CAGD_FIT_HUBER, o.loss_scale = 0;
+    assert_int_equal(cagd_fit(&(cagd_fit_data){21, 2, P, NULL}, &o, &r, NULL), CAGD_OK);
+    assert_true(fabs(r->loss_scale - sqrt(5 * 9 / 21.0)) < 1e-14 && r->outliers == 0);
+    cagd_fit_free(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -457,6 +571,9 @@ int main(void)
         cmocka_unit_test(closed_curves_are_chosen),
         cmocka_unit_test(candidates_are_told),
         cmocka_unit_test(weights_are_tested),
+        cmocka_unit_test(points_left_out_are_told_of),
+        cmocka_unit_test(ends_without_order_are_not_judged),
+        cmocka_unit_test(a_robust_scale_is_that_of_its_own_curve),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
