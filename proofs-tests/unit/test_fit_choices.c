@@ -561,6 +561,168 @@ static void a_robust_scale_is_that_of_its_own_curve(void **state)
     cagd_fit_free(r);
 }
 
+/* ---- what every result says -------------------------------------------------------------------------------------------------- */
+
+static int starts_ended, starts_asked, in_turn;
+static void count_start(void *context, int ended, int starts)
+{
+    in_turn &= ended == starts_ended + 1 && context == (void *)&starts_ended;
+    starts_ended = ended, starts_asked = starts;
+}
+
+/* Open and closed, in order and in none, with deviations, with a smoothing term, near the origin and far from it on either side: points, distances, values and spacings
+ * by their definition. */
+static void results_say_what_they_are(void **state)
+{
+    (void)state;
+    enum { MANY = 60 };
+    for (int variant = 0; variant < 32; variant++) {
+        const int dim = variant & 1 ? 3 : 2, closed = variant & 2, unordered = variant & 4, smooth = variant & 8;
+        const double far = variant & 16 ? (variant & 1 ? -1e6 : 3e6) : 0;
+        if (closed && unordered)
+            continue;
+        double P[3 * MANY], s[MANY];
+        for (int i = 0; i < MANY; i++) {
+            const int k = unordered ? i * 7 % MANY : i;
+            const double a = closed ? 2 * acos(-1) * (k + 0.5) / MANY : 2.0 * k / MANY,
+                         at[3] = {4 * cos(a), 3 * sin(a), sin(2 * a)};
+            for (int c = 0; c < dim; c++)
+                P[i * dim + c] = (c == 1 ? -far : far) + at[c] + 0.02 * noise_told(dim * i + c);
+            s[i] = 0.02 * (1 + i % 2);
+        }
+        const cagd_fit_data d = {MANY, dim, P, variant % 5 || smooth ? s : NULL};
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r;
+        o.degree = 3, o.count = closed ? 8 : 5, o.free = 6, o.closed = closed ? 1 : 0, o.unordered = unordered ? 1 : 0;
+        o.smooth = smooth ? 1e-4 : 0, o.without_intervals = variant % 3 == 0, o.starts = 1 + variant % 2;
+        o.after_start = count_start, o.context = &starts_ended, starts_ended = 0, in_turn = 1;
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_OK);
+        assert_true(unordered || (in_turn && starts_ended == o.starts && starts_asked == o.starts));
+        assert_true(cagd_fit_is_minimum(r) && r->agreeing_starts >= 1 && r->agreeing_starts <= o.starts);
+        const int own = closed ? 8 : 5, count = own + (closed ? 3 : 0);
+        assert_true(r->curve.count == count && r->period == (closed ? own : 0) && r->unknowns == own * dim &&
+                    r->count == MANY);
+        for (int k = 0; k < r->unknowns; k++) {
+            const cagd_fit_unknown u = r->unknown[k];
+            assert_true(!u.is_weight && u.index == k / dim && u.coordinate == k % dim);
+            assert_true(r->value[k] == r->curve.points[k]);
+            assert_true(fabs(r->relative[k] + r->origin[u.coordinate] - r->value[k]) <= r->spacing[u.coordinate]);
+        }
+        for (int k = own * dim; k < count * dim; k++)
+            assert_true(r->curve.points[k] == r->curve.points[k - own * dim]);
+        double squares = 0, largest = 0, cost = 0, size[3] = {0};
+        int at = 0, at_ends = 0, behind = 0;
+        cagd_spline near = r->curve;
+        near.points = r->relative;
+        for (int i = 0; i < MANY; i++) {
+            double D[6], square = 0;
+            const double end = near.knots[near.count];
+            assert_int_equal(
+                cagd_spline_derivatives(&near, r->feet[i], r->feet[i] < end ? CAGD_RIGHT : CAGD_LEFT, 1, D), CAGD_OK);
+            for (int c = 0; c < dim; c++) {
+                const double left = P[i * dim + c] - r->origin[c] - D[c];
+                assert_true(fabs(r->residuals[i * dim + c] - left) < 1e-12);
+                square += left * left, size[c] = fmax(size[c], fabs(P[i * dim + c]));
+            }
+            const double left_side = dim == 2 ? D[2] * r->residuals[2 * i + 1] - D[3] * r->residuals[2 * i] : 1;
+            assert_true(fabs(r->distances[i] - copysign(sqrt(square), left_side)) < 1e-12);
+            squares += square, cost += square / (d.sigma != NULL ? s[i] * s[i] : 1) / 2;
+            if (sqrt(square) > largest)
+                largest = sqrt(square), at = i;
+            at_ends += r->foot_at_end[i], behind += i > 0 && r->feet[i] < r->feet[i - 1];
+        }
+        assert_true(fabs(r->rms - sqrt(squares / MANY)) < 1e-12 && fabs(r->largest - largest) < 1e-12 &&
+                    r->largest_at == at);
+        assert_true(r->feet_at_ends == at_ends && r->out_of_order == (unordered ? 0 : behind - (closed && behind > 0)));
+        assert_true(fabs(2 * cost / r->chi_squared - 1) < 1e-9 &&
+                    (smooth ? r->cost > cost : fabs(r->cost / cost - 1) < 1e-9));
+        if (smooth) /* lambda/2 times the integral that is told */
+            assert_true(fabs((r->cost - cost) / (1e-4 / 2 * r->roughness) - 1) < 1e-6 && r->effective < r->unknowns);
+        else
+            assert_true(r->roughness == 0 && r->effective == r->rank);
+        for (int c = 0; c < dim; c++)
+            assert_true(r->spacing[c] == nextafter(size[c], INFINITY) - size[c]);
+        assert_true(!r->points_on_curve && r->outliers == 0 && r->rms_of_others == r->rms);
+        for (int q = 0; q < r->unknowns + r->invariants; q++)
+            assert_true((r->interval_by[q] == CAGD_FIT_INTERVAL_NOT_SOUGHT) == (o.without_intervals || smooth));
+        cagd_fit_free(r);
+    }
+}
+
+/* A weight on its bound is no unknown: it is not determined, and the gradient along it is not that of a minimum. */
+static void weights_on_their_bounds(void **state)
+{
+    (void)state;
+    double P[2 * 40];
+    for (int i = 0; i < 40; i++)
+        P[2 * i] = 3 * cos(i * 2.6 / 39) + 0.001 * noise_told(2 * i),
+              P[2 * i + 1] = 3 * sin(i * 2.6 / 39) + 0.001 * noise_told(2 * i + 1);
+    for (int high = 0; high < 2;
+         high++) { /* the weight cos(1.3) = 0.27, which is to be 0.9 or more; of the other bound, 3 to be 1.1 or less */
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r;
+        if (high)
+            for (int i = 0; i < 40; i++) { /* y = 1/x, from 1/10 to 10 */
+                const double t = pow(10, i / 19.5 - 1);
+                P[2 * i] = t + 0.001 * noise_told(2 * i), P[2 * i + 1] = 1 / t + 0.001 * noise_told(2 * i + 1);
+            }
+        o.weight_low = high ? 0 : 0.9, o.weight_high = high ? 1.1 : INFINITY, o.without_intervals = 1;
+        assert_int_equal(cagd_fit(&(cagd_fit_data){40, 2, P, NULL}, &o, &r, NULL), CAGD_OK);
+        int k = 0;
+        while (!r->unknown[k].is_weight)
+            k++;
+        assert_true(r->curve.weights[1] == (high ? 1.1 : 0.9) && r->at_bound[k] && !r->determined[k] && r->rank <= 6);
+        assert_true(r->gradient_norm < 1e-6 && isnan(cagd_fit_unknown_estimate(r, k).error));
+        for (int m = 0; m < r->unknowns; m++)
+            assert_true(m == k || (!r->at_bound[m] && r->determined[m]));
+        cagd_fit_free(r);
+    }
+}
+
+/* Knots of a closed curve have a period, each of them; it has more points than its degree; weights are numbers. */
+static void curves_that_are_none(void **state)
+{
+    (void)state;
+    double P[2 * 40], C[2 * 10], w[10];
+    scatter(40, 0.01, P);
+    const cagd_fit_data d = {40, 2, P, NULL};
+    for (int k = -1; k < 14; k++) {
+        double knots[14];
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r;
+        for (int i = 0; i < 14; i++)
+            knots[i] = (i - 3) / 7.0 + (i == k ? 0.01 : 0);
+        o.degree = 3, o.count = 7, o.closed = 1, o.free = 6, o.knots = knots;
+        const int paired = k < 0 || (k - 7 < 0 && k + 7 > 13); /* no other knot is to be a period away */
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), paired ? CAGD_OK : CAGD_BAD_CURVE);
+        cagd_fit_free(r);
+    }
+    for (int count = 2; count <= 5; count++) {
+        cagd_fit_options o = cagd_fit_defaults();
+        cagd_fit_result *r;
+        o.degree = 3, o.count = count, o.closed = 1, o.free = 6;
+        assert_int_equal(cagd_fit(&d, &o, &r, NULL), count > 3 ? CAGD_OK : CAGD_BAD_CURVE);
+        cagd_fit_free(r);
+    }
+    static const double bezier[] = {0, 0, 0, 0, 1, 1, 1, 1};
+    static const double wrong[] = {0, -1, INFINITY, NAN};
+    for (int j = 0; j < 4; j++)
+        for (int k = 0; k < 8; k++) {
+            cagd_fit_options o = cagd_fit_defaults();
+            cagd_fit_result *r;
+            for (int i = 0; i < 4; i++)
+                w[i] = 1, C[2 * i] = i, C[2 * i + 1] = i % 2;
+            if (k < 4)
+                w[j] = wrong[k];
+            else
+                C[2 * j + k % 2] = k < 6 ? INFINITY : NAN;
+            const cagd_spline curve = {3, 4, 2, bezier, C, w};
+            o.initial = &curve;
+            assert_int_equal(cagd_fit(&d, &o, &r, NULL), CAGD_BAD_CURVE);
+            assert_null(r);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -574,6 +736,9 @@ int main(void)
         cmocka_unit_test(points_left_out_are_told_of),
         cmocka_unit_test(ends_without_order_are_not_judged),
         cmocka_unit_test(a_robust_scale_is_that_of_its_own_curve),
+        cmocka_unit_test(results_say_what_they_are),
+        cmocka_unit_test(weights_on_their_bounds),
+        cmocka_unit_test(curves_that_are_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
