@@ -466,6 +466,7 @@ static void points_left_out_are_told_of(void **state)
             P[2 * i + 1] += i ? -0.2 : 0.3;
         for (int i = 0; i < end; i++)
             P[2 * (MANY - 1 - i) + 1] += i ? -0.2 : 0.35;
+        P[2 * 25 + 1] += given ? 0.45 : 0; /* the farthest one may be none of those that are left out */
         const cagd_fit_data d = {MANY, 2, P, given ? s : NULL},
                             inner = {MANY - 3, 2, P + 2 * start, given ? s + start : NULL};
         cagd_fit_options o = cagd_fit_defaults();
