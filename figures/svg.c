@@ -137,6 +137,8 @@ void svg_panel(svg *s, svg_window window, int width, int height, const char *cap
         p->caption = copy(s, caption);
 }
 
+int svg_panels_left(const svg *s) { return MAX_PANELS - s->panels; }
+
 void svg_row(svg *s)
 {
     if (svg_failed(s) == NULL)

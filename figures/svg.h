@@ -94,6 +94,9 @@ int svg_overlaps(const svg *s);
  * caption (prose, may be NULL; '\n' breaks the line) stands below. */
 void svg_panel(svg *s, svg_window window, int width, int height, const char *caption);
 
+/* How many panels more there can be. */
+int svg_panels_left(const svg *s);
+
 /* The next panel begins a new row, below those before; the first windows of the rows are level at the left. */
 void svg_row(svg *s);
 

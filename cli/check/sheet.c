@@ -580,9 +580,11 @@ int check_sheet(const struct document *d, const struct sheet *s, json_t *list, s
         print_page(d, s, b, answer, why);
     else
         json_array_append_new(list, why != NULL ? refused_json(s, why) : sheet_json(s, b, answer));
-    if (why == NULL && picture != NULL) {
+    int left = picture != NULL ? svg_panels_left(picture) : 0;
+    if (why == NULL && left > 0) {
         num_q value[MOST_SHOWN];
-        draw_basis(picture, s, b, values_shown(s, b, &answer[NONNEGATIVE], value), value);
+        int shown = values_shown(s, b, &answer[NONNEGATIVE], value);
+        draw_basis(picture, s, b, shown < left ? shown : left, value);
     }
     return all;
 }

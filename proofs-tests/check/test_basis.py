@@ -404,6 +404,16 @@ class Pages(unittest.TestCase):
             self.assertEqual(r.returncode, 0)
             self.assertEqual(path.read_text().count("<path") >= 3, True)
 
+    def test_twelve_panels_are_drawn_at_most(self):
+        basis = ":::{basis} b%d\n:functions: B_i^1(t)\n:for: i = 0..1, 0 \\le t \\le 1\n:::\n"
+        text = ":::{let}\n:use: bernstein B_i^n(t)\n:::\n" + "".join(f":::{{statement}} s{k}\n:printed: B_0^1(t) \\ge {k + 1}\n:for: 0 \\le t \\le 1\n:::\n" for k in range(11))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "b.svg"
+            r = subprocess.run([CAGD, "check", "-", "--svg", str(path)], input=text + "".join(basis % k for k in range(3)), capture_output=True, text=True)
+            self.assertEqual((r.returncode, r.stderr), (1, ""))
+            self.assertEqual(r.stdout.count("linearly independent      yes"), 3)
+            self.assertEqual(path.read_text().count("fails at"), 11)
+
     def test_without_a_basis_there_is_no_sheet(self):
         text = ":::{statement} s\n:printed: 1 = 1\n:::\n"
         r = subprocess.run([CAGD, "check", "--basis", "-"], input=text, capture_output=True, text=True)
