@@ -76,6 +76,38 @@ static void what_is_no_minimum_is_not_called_one(void **state)
     assert_true(v.verified && !v.minimum && v.weight_radius < 0x1p-80);
 }
 
+/* A segment between pairs of points, of which those at one end, at the other, at both or at none are so far apart that Cauchy's loss bends the other way
+ * there: one direction that falls is enough for no minimum, whichever it is. */
+static void one_direction_that_falls_is_enough(void **state)
+{
+    (void)state;
+    for (int far = 0; far < 4; far++) {
+        static const double line[] = {0, 0, 1, 1};
+        memcpy(knots, line, sizeof line);
+        memset(control, 0, sizeof control);
+        control[2] = 8;
+        for (int i = 0; i < 4; i++) {
+            points[2 * i] = i < 2 ? 1 : 7;
+            points[2 * i + 1] = (i % 2 ? -1 : 1) * (far >> (i / 2) & 1 ? 4 : 0.25);
+            feet[i] = points[2 * i] / 8;
+        }
+        curve = (cagd_spline){1, 2, 2, knots, control, NULL};
+        data = (cagd_fit_data){4, 2, points, NULL};
+        for (int turn = 0; turn < 2; turn++) {
+            unknown[turn] = (cagd_fit_unknown){0, 0, 1}, unknown[1 - turn] = (cagd_fit_unknown){0, 1, 1};
+            problem = (cagd_stationary_problem){.data = &data,
+                                                .loss = CAGD_FIT_CAUCHY,
+                                                .loss_scale = 1,
+                                                .curve = &curve,
+                                                .feet = feet,
+                                                .unknowns = 2,
+                                                .unknown = unknown};
+            cagd_stationary_verdict v = cagd_stationary_check(&problem);
+            assert_true(v.verified && v.dimension == 2 && v.minimum == (far == 0));
+        }
+    }
+}
+
 static void a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radius(void **state)
 {
     (void)state;
@@ -1196,6 +1228,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_circle_is_found_at_its_place),
         cmocka_unit_test(what_is_no_minimum_is_not_called_one),
+        cmocka_unit_test(one_direction_that_falls_is_enough),
         cmocka_unit_test(a_reported_circle_that_is_a_little_off_has_the_true_one_in_its_radius),
         cmocka_unit_test(a_place_between_two_numbers),
         cmocka_unit_test(one_unknown_is_enough),
