@@ -833,6 +833,14 @@ static void closed_curves_are_checked(void **state)
                 assert_true(v.weight_radius < 0x1p-70 && v.point_radius < 0x1p-60);
             else
                 assert_true(radius >= shift * (1 - 0x1p-20) && radius < 2 * shift);
+            if (moved < 0)
+                continue;
+            /* the same where nothing else is unknown: it is this point that moves back, and no neighbour */
+            cagd_fit_result alone = result;
+            alone.unknowns = alone.rank = 1, alone.unknown = unknown + moved;
+            v = cagd_stationary_check_fit(&data, &options, &alone);
+            radius = unknown[moved].is_weight ? v.weight_radius : v.point_radius;
+            assert_true(v.verified && v.dimension == 1 && radius >= shift * (1 - 0x1p-20) && radius < 2 * shift);
         }
 }
 
