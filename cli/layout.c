@@ -225,7 +225,8 @@ static int room_in(const struct line *l, int width) { return width - (l->used > 
 static void put_line(FILE *out, struct line *l)
 {
     int above = 0, below = 0;
-    for (struct word *last = l->word + l->count - 1; l->count > 0 && last->end > last->at && last->end[-1] == TIE;)
+    struct word *last = l->count > 0 ? &l->word[l->count - 1] : NULL;
+    while (last != NULL && last->end > last->at && last->end[-1] == TIE)
         last->end--;
     for (int k = 0; k < l->count; k++) {
         above = l->word[k].above > above ? l->word[k].above : above;

@@ -57,7 +57,7 @@ static void losses_have_their_derivatives(void **state)
 
 enum { N = 8 };
 static double points[2 * N], sigma[N], residuals[3 * N], covariance[9], invariant[1], invariant_error[1];
-static double knots[] = {0, 0, 0, 1, 1, 1}, control[8], weights[3]; /* room for a cubic */
+static double knots[] = {0, 0, 0, 1, 1, 1}, control[10], weights[3]; /* room for a quartic */
 static int determined[3], at_bound[3];
 static cagd_fit_unknown unknown[3] = {{1, 1, 0}, {0, 1, 0}, {0, 1, 1}};
 static cagd_fit_data data;
