@@ -225,6 +225,7 @@ class EveryChoice(unittest.TestCase):
 class Literature(unittest.TestCase):
     """Every true formula is proved, or left undecided; every false one is refuted."""
 
+    @ONCE
     def test_every_formula_is_what_the_file_says(self):
         self.answers("literature.md")
         self.answers("c-curves.md", 9)

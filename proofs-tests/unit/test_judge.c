@@ -802,7 +802,9 @@ static void false_of_no_whole_number_q(trial *T)
 static void test_an_instance_that_is_not_found(void **state)
 {
     (void)state;
-    const claim list[] = {{IN(RATIONAL_TYPE, _q, false_at_zero)}, {IN(RATIONAL_TYPE, _q, false_of_no_whole_number)}};
+    const claim list[] = {
+        {IN(RATIONAL_TYPE, _q, false_at_zero)},
+        {IN(RATIONAL_TYPE, _q, false_of_no_whole_number), .degree_low = 1, .degree_high = 9, .degree_sampled = 9}};
     for (int k = 0; k < 2; k++) {
         runs_of_search = 0;
         claim_result *r = judge_one(&list[k]);
