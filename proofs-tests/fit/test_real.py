@@ -28,7 +28,7 @@ def fit(path, *options):
 # file: points; closing; the kind; at most so many control points; rms between; and why
 GOOD = {
     "naca2412.dat": (61, "corner", "spline", 14, (1e-6, 3e-5), "five decimals leave 0.3e-5; the trailing edge is a corner"),
-    "naca0015-lednicer.dat": (62, "corner", "spline", 16, (1e-7, 5e-6), "six decimals; the nose stands twice; the trailing edge is blunt"),
+    "naca0015-lednicer.dat": (61, "corner", "spline", 16, (1e-7, 5e-6), "six decimals; the nose stands there with 0 and with -0, and is one; the trailing edge is blunt"),
     "naca0012-sharp.dat": (61, "corner", "spline", 12, (1e-5, 5e-5), "four decimals leave 2.9e-5; first and last point are one, with a corner"),
     "naca4415-fine.dat": (201, "corner", "spline", 36, (1e-8, 5e-7), "as panel codes write them, to 1e-8, with a sharp trailing edge, where errors let both sides cross"),
     "cam-traced.csv": (216, "around", "spline", 8, (0.25, 0.5), "corners of pixels scatter by 0.3 to 0.5 of a pixel about the section"),

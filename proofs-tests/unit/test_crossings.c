@@ -101,6 +101,12 @@ static void crossing_is_not_common_point(void **state)
     m = cagd_curve_meets_line(2, parabola, lost, line(0, 1, 1));
     assert_int_equal(m.poles, 0);
     assert_int_equal(m.common_closed, 1);
+    /* y = 1 has a pole at 1/2 where its sign does not change: no jump over y = 0, and one over y = x */
+    num_q level[4] = {q(-2), q(1), q(2), q(1)}, turned[2] = {q(-1), q(1)};
+    m = cagd_curve_meets_line(1, level, turned, line(0, 1, 0));
+    assert_true(m.poles == 1 && m.jumps == 0 && m.common_closed == 0);
+    m = cagd_curve_meets_line(1, level, turned, line(1, -1, 0));
+    assert_true(m.poles == 1 && m.jumps == 1);
     /* last weight 0, likewise */
     num_q ended[3] = {q(1), q(1), q(0)};
     assert_int_equal(cagd_curve_meets_line(2, parabola, ended, line(0, 1, 1)).poles, 0);
