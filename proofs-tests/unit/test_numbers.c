@@ -415,6 +415,16 @@ static void texts_are_read_exactly(void **state)
         snprintf(text, sizeof text, "%a", x);
         assert_true(cagd_equal_q(from_string_q(text), from_double_q(x)));
     }
+    for (int length = 1; length <= 40; length++) { /* nines, and F's: powers of 10 and 16 less 1 */
+        char nines[44], sixteens[44] = "0x";
+        num_q ten = from_int_q(1), sixteen = from_int_q(1);
+        memset(nines, '9', (size_t)length), memset(sixteens + 2, 'f', (size_t)length);
+        nines[length] = sixteens[length + 2] = '\0';
+        for (int k = 0; k < length; k++)
+            ten = mul_q(ten, from_int_q(10)), sixteen = mul_q(sixteen, from_int_q(16));
+        assert_true(cagd_equal_q(from_string_q(nines), sub_q(ten, from_int_q(1))));
+        assert_true(cagd_equal_q(from_string_q(sixteens), sub_q(sixteen, from_int_q(1))));
+    }
     static char below[100004] = "1/";
     char *const digits = below + 2;
     memset(digits, '7', 100001);

@@ -61,6 +61,37 @@ static void determinant_over_the_field(void **state)
     }
 }
 
+/* Of all matrices with one entry in every row and column, t, t + 1, ...: their product, with the sign of the permutation. */
+static void determinants_of_permutations(void **state)
+{
+    (void)state;
+    field_open(1);
+    num_f t = variable_f("t");
+    for (int n = 1; n <= 4; n++)
+        for (int code = 0; code < 1 << (2 * n); code++) {
+            region_mark m = region_open();
+            int column[4], taken = 0, sign = 1;
+            for (int i = 0; i < n; i++)
+                column[i] = code >> (2 * i) & 3, taken |= 1 << column[i];
+            if (taken == (1 << n) - 1) {
+                num_f A[16], product = from_int_f(1);
+                num_q a[16], value = q(1);
+                for (int k = 0; k < n * n; k++)
+                    A[k] = from_int_f(0), a[k] = q(0);
+                for (int i = 0; i < n; i++) {
+                    A[i * n + column[i]] = add_f(t, from_int_f(i)), a[i * n + column[i]] = q(2 + i);
+                    product = mul_f(product, A[i * n + column[i]]), value = mul_q(value, q(2 + i));
+                    for (int k = 0; k < i; k++)
+                        sign *= column[k] > column[i] ? -1 : 1;
+                }
+                assert_true(equal_f(cagd_pivoted_determinant_f(n, A), mul_f(from_int_f(sign), product)));
+                assert_true(cagd_equal_q(cagd_pivoted_determinant_q(n, a), mul_q(q(sign), value)));
+            }
+            region_drop(m);
+        }
+    field_close();
+}
+
 static void resultant_is_the_product_over_roots(void **state)
 {
     (void)state;
@@ -161,8 +192,13 @@ static void resultant_by_a_variable(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        unit(determinant_is_leibniz), unit(determinant_over_the_field), unit(resultant_is_the_product_over_roots),
-        unit(stated_degrees),         unit(implicit_equation),          unit(resultant_by_a_variable),
+        unit(determinant_is_leibniz),
+        unit(determinants_of_permutations),
+        unit(determinant_over_the_field),
+        unit(resultant_is_the_product_over_roots),
+        unit(stated_degrees),
+        unit(implicit_equation),
+        unit(resultant_by_a_variable),
     };
     return run_unit_tests(tests);
 }
