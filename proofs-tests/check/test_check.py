@@ -1258,6 +1258,7 @@ g_{i,n} = i
                 let = "t \\in \\mathbb{R}\n"
                 self.assertEqual(verdict(printed, ranges, let)["verdict"], expected)
 
+    @ONCE
     def test_what_touches_where_names_are_tied(self):
         """Inequalities that are equalities at a place whose numbers are roots, with > in the place of >= or a bound left out: they are decided, or a
         counterexample has roots."""
