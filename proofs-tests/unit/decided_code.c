@@ -2,6 +2,7 @@
 #include "exact/code/machine.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 enum { SAME = 1, GREATER = 2, LESS = 4, MOST_NUMBERS = 16 };
 
@@ -53,7 +54,7 @@ static void patterns(void)
     cagd_code_output("r", 1, u);
 }
 
-/* x = 12345 alone is more than can be done, or refused, or undefined, or another number. */
+/* x = 12345 alone is more than can be done, or refused, or undefined, or another number, or the end of the process. */
 static void one_number(int which, double x)
 {
     double r = x;
@@ -66,6 +67,8 @@ static void one_number(int which, double x)
             r = cagd_code_div(x, cagd_code_sub(x, x));
         if (which == 3)
             r = cagd_code_add(x, 1);
+        if (which == 4)
+            abort();
     }
     put(r, x);
 }
@@ -194,6 +197,9 @@ void cagd_code_entry(void)
         break;
     case 21:
         root(4, 2);
+        break;
+    case 22:
+        one_number(4, input("x"));
         break;
     default:
         precondition(input("which") == 9);

@@ -30,6 +30,7 @@ static const struct asked {
     /* a way that one number takes, which nobody tried */
     {4, ":input: x", CAGD_CODE_PROVED, 1, 1, 0, 20, 0, "", "a number of more than", NULL},
     {5, ":input: x", CAGD_CODE_UNDECIDED, 1, 1, 0, 20, 0, "something", "", "12345"},
+    {22, ":input: x", CAGD_CODE_UNDECIDED, 1, 1, 0, 20, 0, "", "", "12345"}, /* a way on which the process ends */
     {6, ":input: x", CAGD_CODE_PROVED, 1, 1, 1, 20, 1, "", "", NULL},
     {7, ":input: x", CAGD_CODE_DIFFERS, 2, 1, 0, 20, 0, "", "", "12345"},
     {11, ":input: most = 12344; x in [0, most]", CAGD_CODE_PROVED, 1, 1, 1, 20, 0, "", "", NULL},
